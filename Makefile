@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: MIT
+# Sources are found by wildcard: a new file of the renderer, the tools or the tests needs no line here.
+.DEFAULT_GOAL := all
+MAKEFLAGS += --no-builtin-rules
+.SUFFIXES:
+.DELETE_ON_ERROR:
+.SECONDARY:
+
+ifeq ($(origin CC),default)
+CC := gcc
+endif
+ifeq ($(origin AR),default)
+AR := ar
+endif
+BUILD ?= build
+OPT ?= -O2
+WERROR ?= -Werror
+SCENE ?= tests/scenes/demo.json
+Q := $(if $(V),,@)
+QUIET := $(findstring s,$(filter-out --%,$(firstword $(MAKEFLAGS))))
+say = $(if $(V)$(QUIET),@:,@printf '  %-7s %s\n' $(1) $(2))
+
+include tests/tools/sources.mk
+
+WARN := -Wall -Wextra $(WERROR)
+INCLUDE := -Ifirmware -Ihal -Ihost-tools -I.
+CORE_FLAGS := -std=c11 $(WARN) $(INCLUDE)
+HOST_FLAGS := -std=c11 -D_XOPEN_SOURCE=700 $(WARN) $(INCLUDE)
+# Asked for at the first use only: `make deps` may have to install pkg-config itself.
+PACKAGES := libpng jansson assimp zlib
+once = $(eval $(1) := $$(shell $(2)))$($(1))
+PACKAGE_FLAGS = $(call once,PACKAGE_FLAGS,pkg-config --cflags $(PACKAGES))
+PACKAGE_LIBS = $(call once,PACKAGE_LIBS,pkg-config --libs $(PACKAGES))
+CMOCKA_LIBS = $(call once,CMOCKA_LIBS,pkg-config --libs cmocka)
+
+CORE_OBJ := $(CORE_SRC:%.c=$(BUILD)/obj/%.o)
+HOST_OBJ := $(HOST_SRC:%.c=$(BUILD)/obj/%.o)
+CORE_LIB := $(BUILD)/libglint.a
+HOST_LIB := $(BUILD)/libhost.a
+GLINT := $(BUILD)/glint
+UNIT_BIN := $(UNIT_SRC:tests/%.c=$(BUILD)/tests/%)
+EXHAUSTIVE_BIN := $(EXHAUSTIVE_SRC:tests/%.c=$(BUILD)/tests/%)
+
+all: ## Build the command line tool, build/glint
+	$(Q)DEPS=manual tests/tools/deps.sh demo
+	$(Q)$(MAKE) --no-print-directory $(GLINT)
+
+demo: deps-demo ## Render the demo (or SCENE=file) into build/demo/
+	$(Q)$(MAKE) --no-print-directory $(GLINT)
+	$(Q)$(GLINT) demo $(SCENE) $(BUILD)/demo
+
+test: deps-test ## Run every test; the last line counts them
+	$(Q)tests/tools/run.sh unit cli core golden device docs sanitize bench
+
+test-unit: deps-test ## Unit tests
+	$(Q)tests/tools/run.sh unit
+
+test-cli: deps-test ## The command line tool against good and bad input
+	$(Q)tests/tools/run.sh cli
+
+test-core: deps-test ## What the renderer may link, include, keep and stack, on every CPU
+	$(Q)tests/tools/run.sh core
+
+test-golden: deps-test ## The one list of picture hashes: every compiler, level and band height on the host
+	$(Q)tests/tools/run.sh golden
+
+test-device: deps-test ## The same list on emulated Cortex-M0, M0+, M3 and M4
+	$(Q)tests/tools/run.sh device
+
+test-sanitize: deps-test ## Unit and command line tests under address and undefined-behaviour sanitizers
+	$(Q)tests/tools/run.sh sanitize
+
+test-exhaustive: deps-test ## Whole domains of the fixed-point functions (minutes)
+	$(Q)tests/tools/run.sh exhaustive
+
+bench: deps-test ## Instructions a frame on Cortex-M0+, M3, M4 and the host; writes build/bench/bench.csv
+	$(Q)$(MAKE) --no-print-directory bench-table
+
+profile: deps-test ## Instructions by function: CPU=m4 RENDER="bench-torus288 x" [BANDS=8] [FIRST=1]
+	$(Q)$(MAKE) --no-print-directory profile-run
+
+size: deps-test ## Flash and RAM of the renderer by part, for each CPU
+	$(Q)$(MAKE) --no-print-directory size-table
+
+stack: deps-test ## Worst-case stack of the renderer's entry points, for each CPU
+	$(Q)$(MAKE) --no-print-directory stack-table
+
+golden: deps-test ## Write tests/golden/hashes.txt anew, showing what changed
+	$(Q)$(MAKE) --no-print-directory golden-update
+
+lint: deps-test ## Layering, tokens, cppcheck and clang-tidy
+	$(Q)$(MAKE) --no-print-directory lint-run
+
+format: ## clang-format every source in place
+	$(Q)clang-format -i $(ALL_SRC)
+
+check-format: ## Fail if clang-format would change a source
+	$(Q)clang-format --dry-run -Werror $(ALL_SRC)
+
+deps: deps-test ## Install what building and testing need (DEPS=manual only prints the command)
+
+deps-demo deps-test:
+	$(Q)tests/tools/deps.sh $(@:deps-%=%)
+
+clean: ## Remove the build folder
+	$(Q)rm -rf $(BUILD)
+
+help: ## List the targets
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1\t\2/p' Makefile | awk -F '\t' '{ printf "  make %-16s %s\n", $$1, $$2 }'
+
+# --- host build -------------------------------------------------------------------------------------------------
+
+$(CORE_OBJ): $(BUILD)/obj/%.o: %.c
+	$(call say,CC,$<)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CORE_FLAGS) $(OPT) -g $(CFLAGS) -MMD -MP -c $< -o $@
+
+$(HOST_OBJ): $(BUILD)/obj/%.o: %.c
+	$(call say,CC,$<)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(HOST_FLAGS) $(PACKAGE_FLAGS) $(OPT) -g $(CFLAGS) -MMD -MP -c $< -o $@
+
+$(CORE_LIB): $(CORE_OBJ)
+$(HOST_LIB): $(filter-out %/main.o,$(HOST_OBJ))
+$(CORE_LIB) $(HOST_LIB):
+	$(call say,AR,$@)
+	$(Q)rm -f $@; $(AR) rcs $@ $^
+
+$(GLINT): $(filter %/main.o,$(HOST_OBJ)) $(HOST_LIB) $(CORE_LIB)
+	$(call say,LINK,$@)
+	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ $(PACKAGE_LIBS) -lm -o $@
+
+$(BUILD)/tests/%: tests/%.c $(HOST_LIB) $(CORE_LIB)
+	$(call say,TEST,$<)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(HOST_FLAGS) $(PACKAGE_FLAGS) $(OPT) -g $(CFLAGS) $(LDFLAGS) -MMD -MP -MF $@.d $< \
+		$(HOST_LIB) $(CORE_LIB) $(PACKAGE_LIBS) $(CMOCKA_LIBS) -lpthread -lm -o $@
+
+include tests/tools/arm.mk
+include tests/tools/suites.mk
+
+-include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
+
+.PHONY: all demo test test-unit test-cli test-core test-golden test-device test-sanitize test-exhaustive bench profile \
+	size stack golden lint format check-format deps deps-demo deps-test clean help

@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: MIT */
+#include "geometry/clip.h"
+
+/* The planes: near, then the guard band's left, right, top, bottom. */
+#define PLANES 5
+
+/* Distance inside a plane, any positive scale. x / z * 2^(z_exponent - xy_exponent) is sub-pixels, and
+ * transform.shift = 30 + xy_exponent - z_exponent where it divides: inside is GUARD * z >= +-x * 2^(30 - shift). */
+static int64_t inside(const struct transform *t, const struct eye_point *e, int plane)
+{
+    if (plane == 0)
+        return (int64_t)e->z - t->near_z;
+    int32_t side = plane < 3 ? e->x : e->y;
+    int64_t reach;
+    /* |z|, |x| < 2^29, GUARD = 2^14. One sub-pixel is kept back for rounding. */
+    int down = t->divide ? t->shift - 30 : t->shift;
+    if (t->divide)
+        reach = (int64_t)e->z * (GUARD - 1);
+    else
+        reach = GUARD - 1;
+    int64_t value = side;
+    if (down >= 0)
+        reach = down > 18 ? INT64_MAX / 4 : reach * (INT64_C(1) << down);
+    else
+        value = down < -30 ? value * (INT64_C(1) << 30) : value * (INT64_C(1) << -down);
+    return plane & 1 ? reach + value : reach - value;
+}
+
+static int32_t mix(int32_t a, int32_t b, uint32_t t_q31)
+{
+    return (int32_t)(a + (((int64_t)b - a) * (int64_t)t_q31 + (1 << 30)) / (INT64_C(1) << 31));
+}
+
+/* The cut from a corner inside to one outside: t = d0 / (d0 - d1) in Q31. */
+static void cut(const struct clip_corner *in, int64_t d0, const struct clip_corner *out, int64_t d1,
+                struct clip_corner *result)
+{
+    uint64_t span = (uint64_t)d0 - (uint64_t)d1, part = (uint64_t)d0; /* d0 >= 0 > d1, both below 2^61 in size */
+    while (span >= UINT64_C(1) << 32) {
+        span >>= 1;
+        part >>= 1;
+    }
+    uint32_t t = (uint32_t)((part << 31) / (span ? span : 1));
+    result->eye.x = mix(in->eye.x, out->eye.x, t);
+    result->eye.y = mix(in->eye.y, out->eye.y, t);
+    result->eye.z = mix(in->eye.z, out->eye.z, t);
+    for (int i = 0; i < 3; i++)
+        result->weight[i] = mix(in->weight[i], out->weight[i], t);
+}
+
+static void clip_plane(const struct transform *t, int plane, const struct clip_polygon *from, struct clip_polygon *to)
+{
+    to->count = 0;
+    for (int i = 0; i < from->count; i++) {
+        const struct clip_corner *a = &from->corner[i], *b = &from->corner[i + 1 == from->count ? 0 : i + 1];
+        int64_t da = inside(t, &a->eye, plane), db = inside(t, &b->eye, plane);
+        /* A convex polygon gains at most one corner a plane; the bound keeps rounding from ever writing past the end. */
+        if (da >= 0 && to->count < CLIP_MAX_CORNERS)
+            to->corner[to->count++] = *a;
+        if ((da < 0) != (db < 0) && to->count < CLIP_MAX_CORNERS) {
+            if (da >= 0)
+                cut(a, da, b, db, &to->corner[to->count++]);
+            else
+                cut(b, db, a, da, &to->corner[to->count++]);
+            struct clip_corner *made = &to->corner[to->count - 1];
+            if (made->eye.z < t->near_z)
+                made->eye.z = t->near_z; /* a cut at the near plane may have been rounded out of it */
+        }
+    }
+}
+
+void clip_triangle(const struct transform *transform, struct clip_polygon *polygon, struct clip_polygon *other)
+{
+    for (int plane = 0; plane < PLANES && polygon->count >= 3; plane++) {
+        clip_plane(transform, plane, polygon, other);
+        *polygon = *other;
+    }
+}

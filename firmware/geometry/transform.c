@@ -1,0 +1,194 @@
+/* SPDX-License-Identifier: MIT */
+#include "geometry/transform.h"
+
+/* Bits of a positive number. */
+static int bits(uint64_t x)
+{
+    int n = 0;
+    for (; x; x >>= 1)
+        n++;
+    return n;
+}
+
+static int64_t magnitude(int64_t x) { return x < 0 ? -x : x; }
+
+/* x * 2^-down, rounded to nearest; down < 0 multiplies. */
+static int64_t scaled(int64_t x, int down)
+{
+    if (down <= 0)
+        return x * (INT64_C(1) << -down);
+    if (down > 62)
+        return 0;
+    return (x + (INT64_C(1) << (down - 1))) >> down;
+}
+
+void view_setup(struct view *view, const struct scene_header *scene, uint16_t width, uint16_t height)
+{
+    const struct scene_camera *camera = &scene->camera;
+    for (int i = 0; i < 4; i++)
+        view->rotation.q[i] = camera->rotation[i];
+    view->matrix = rotation_matrix(&view->rotation);
+    for (int i = 0; i < 3; i++)
+        view->position[i] = camera->position[i];
+    view->near_plane = camera->near_plane;
+    view->far_plane = camera->far_plane;
+    view->kind = camera->kind;
+
+    /* f * min(w / rw, h / rh): focal < 2^30 (Q16), times at most 2^11, in Q36 with 16 sub-pixels: below 2^62. */
+    uint32_t numerator = width, denominator = camera->reference_width;
+    if ((uint32_t)height * camera->reference_width < (uint32_t)width * camera->reference_height) {
+        numerator = height;
+        denominator = camera->reference_height;
+    }
+    uint64_t focal = (((uint64_t)(uint32_t)camera->focal * numerator) << 20) / denominator; /* 16 f in Q32 */
+    int size = bits(focal);
+    view->focal = (uint32_t)(size > 31 ? focal >> (size - 31) : focal << (31 - size));
+    view->focal_exponent = 32 - (size - 31);
+}
+
+/* A row of coefficients c (real value c * 2^-c_exponent a position unit) and an offset, both brought to `exponent`. */
+static void axis_setup(struct axis *row, const int64_t c[3], int c_exponent, int64_t t, int t_exponent, int exponent)
+{
+    for (int i = 0; i < 3; i++) {
+        int64_t m = scaled(c[i], c_exponent - exponent - 14);
+        row->hi[i] = (int32_t)(m >> 14);
+        row->lo[i] = (int32_t)(m & 0x3fff);
+    }
+    row->t = (int32_t)scaled(t, t_exponent - exponent);
+}
+
+static void depth_setup(struct transform *t)
+{
+    if (t->divide) { /* near_z / z * span, near_z normalised to 32 bits */
+        unsigned up = fx_clz((uint32_t)t->near_z);
+        t->depth_scale = (uint32_t)t->near_z << up;
+        t->depth_shift = (int)up;
+        return;
+    }
+    /* (far - z) * scale >> 32 with scale = span * 2^(32 - up) / range; range is first shifted so that the scale fits. */
+    uint32_t range = (uint32_t)(t->far_z - t->near_z);
+    range = range ? range : 1;
+    unsigned up = fx_clz(range);
+    t->depth_scale = (uint32_t)(((uint64_t)(DEPTH_NEAR - DEPTH_FAR) << 47) / ((uint64_t)range << up));
+    t->depth_shift = (int)(47 - up); /* depth = (far - z) * depth_scale >> depth_shift */
+}
+
+int transform_setup(struct transform *out, const struct view *view, const struct scene_mesh *mesh, const struct pose *pose,
+                    struct matrix *to_eye)
+{
+    struct rotation rotation = rotation_product(&view->rotation, &pose->rotation);
+    struct matrix world = rotation_matrix(&pose->rotation);
+    *to_eye = rotation_matrix(&rotation);
+
+    /* Offset of the mesh's centre in the eye's frame. Positions are below 2^14 units, the centre below 2^14 * 2^8: the
+     * sum in Q16 is below 2^39, times Q30 below 2^63 only after a reduction to Q24 of the matrix. */
+    int64_t offset[3], eye[3];
+    for (int i = 0; i < 3; i++) {
+        int64_t centre = 0;
+        for (int j = 0; j < 3; j++)
+            centre += (int64_t)world.m[i][j] * mesh->centre[j]; /* Q46, below 2^62 */
+        centre = scaled(centre, 22);                            /* Q24 */
+        centre = scaled(centre * (pose->scale >> 8), 8) + scaled(centre * (pose->scale & 255), 16); /* scale in Q16 */
+        offset[i] = centre + ((int64_t)pose->position[i] - view->position[i]) * 256;
+    }
+    for (int i = 0; i < 3; i++) {
+        eye[i] = 0;
+        for (int j = 0; j < 3; j++) /* offset < 2^47 in Q24; the matrix in Q14 + Q16 halves */
+            eye[i] += scaled(offset[j] * (view->matrix.m[i][j] >> 16), 14) +
+                      scaled(offset[j] * (view->matrix.m[i][j] & 0xffff), 30);
+    }
+
+    /* One position unit is extent * scale / 32768 long: Q16 * Q16 / 2^15. */
+    int64_t extent = (int64_t)mesh->extent * pose->scale; /* below 2^54 */
+    int unit_exponent = 32 + 15;
+    while (extent >= INT64_C(1) << 31) { /* 31 bits are more than a vertex's 16 can show */
+        extent = (extent + 1) >> 1;
+        unit_exponent--;
+    }
+    int64_t radius = scaled((int64_t)mesh->radius * pose->scale, 8) + 1; /* Q24 */
+    int64_t ahead = -eye[2];
+    if (ahead + radius < (int64_t)view->near_plane * 256 || ahead - radius > (int64_t)view->far_plane * 256)
+        return 0;
+
+    /* z: |value| < 2^29 over the whole sphere. */
+    int64_t largest_z = magnitude(ahead) + radius;
+    int z_exponent = 29 - (bits((uint64_t)largest_z) - 24);
+    int64_t coefficient[3];
+    for (int j = 0; j < 3; j++) /* Q30 * 31 bits: 2^61 */
+        coefficient[j] = -scaled((int64_t)to_eye->m[2][j] * extent, 30);
+    axis_setup(&out->z, coefficient, unit_exponent, ahead, 24, z_exponent);
+    /* The planes may lie far outside the sphere: then they cut nothing, and are held inside the row's range. */
+    const int64_t limit = (INT64_C(1) << 30) - 1;
+    int64_t near_z = scaled((int64_t)view->near_plane, 16 - z_exponent);
+    int64_t far_z = bits((uint64_t)view->far_plane) + z_exponent - 16 > 30 ? limit
+                                                                          : scaled((int64_t)view->far_plane, 16 - z_exponent);
+    out->near_z = (int32_t)(near_z < 1 ? 1 : near_z > limit ? limit : near_z);
+    out->far_z = (int32_t)far_z;
+
+    /* x and y: times 16 f, which has 31 bits and its exponent. */
+    int64_t side = magnitude(eye[0]) > magnitude(eye[1]) ? magnitude(eye[0]) : magnitude(eye[1]);
+    int side_bits = bits((uint64_t)(side + radius)) - 24 + 31 - view->focal_exponent;
+    int xy_exponent = 29 - side_bits;
+    for (int i = 0; i < 2; i++) {
+        int64_t sign = i ? -1 : 1; /* y grows downwards on the screen */
+        for (int j = 0; j < 3; j++) {
+            int64_t c = scaled((int64_t)to_eye->m[i][j] * extent, 31); /* below 2^30, in unit_exponent - 1 */
+            coefficient[j] = sign * scaled(c * view->focal, 16);
+        }
+        /* eye below 2^48 in Q24: a 31-bit focal length fits after it is reduced to 40 bits. */
+        int spare = bits((uint64_t)magnitude(eye[i])) - 31;
+        spare = spare > 0 ? spare : 0;
+        int64_t t = sign * scaled(scaled(eye[i], spare) * view->focal, 0);
+        axis_setup(i ? &out->y : &out->x, coefficient, unit_exponent - 1 + view->focal_exponent - 16, t,
+                  24 - spare + view->focal_exponent, xy_exponent);
+    }
+
+    out->divide = view->kind == CAMERA_PERSPECTIVE;
+    out->shift = out->divide ? 30 + xy_exponent - z_exponent : xy_exponent;
+    depth_setup(out);
+    return 1;
+}
+
+/* v * 2^-down rounded to nearest, ties up; 0 if the result leaves the guard band. */
+static int to_screen(int32_t v, int down, int16_t *out)
+{
+    if (down <= 0) {
+        if (down < -14 || v > (GUARD >> -down) || v < -(GUARD >> -down))
+            return 0;
+        *out = (int16_t)(v * (1 << -down));
+        return 1;
+    }
+    if (down > 30) {
+        *out = 0; /* |v| < 2^29: less than a quarter of a sub-pixel */
+        return 1;
+    }
+    v = (v + (1 << (down - 1))) >> down; /* |v| < 2^29, the half below 2^30 */
+    *out = (int16_t)v;
+    return v <= GUARD && v >= -GUARD;
+}
+
+int transform_project(const struct transform *t, struct eye_point e, struct screen_point *out)
+{
+    if (e.z < t->near_z)
+        return 0;
+    if (!t->divide) {
+        uint32_t to_far = e.z < t->far_z ? (uint32_t)(t->far_z - e.z) : 0;
+        /* to_far < 2^31: mulhi gives to_far * scale / 2^32, and depth_shift is at least 32 - 16. */
+        uint32_t depth = fx_mulhi_u32(to_far << (t->depth_shift < 32 ? 32 - t->depth_shift : 0), t->depth_scale) >>
+                         (t->depth_shift > 32 ? t->depth_shift - 32 : 0);
+        out->depth = (uint16_t)(DEPTH_FAR + (depth > DEPTH_NEAR - DEPTH_FAR ? DEPTH_NEAR - DEPTH_FAR : depth));
+        return to_screen(e.x, t->shift, &out->x) & to_screen(e.y, t->shift, &out->y);
+    }
+    /* 1 <= z < 2^29: up in 3..31. r = 2^63 / (z 2^up). */
+    unsigned up = fx_clz((uint32_t)e.z);
+    uint32_t r = fx_recip_norm((uint32_t)e.z << up);
+    /* near_z <= z, so up <= depth_shift: the ratio in Q(31 + depth_shift - up), at most 1; wanted in Q16. */
+    unsigned down = 15u + (unsigned)t->depth_shift - up;
+    uint32_t q16 = down < 32 ? fx_mulhi_u32(t->depth_scale, r) >> down : 0;
+    q16 = q16 > 65535 ? 65535 : q16;
+    out->depth = (uint16_t)(DEPTH_FAR + ((q16 * (uint32_t)(DEPTH_NEAR - DEPTH_FAR)) >> 16));
+    /* x / z in units of 2^-(30 - up), |.| < |x| / 2. */
+    int32_t half = (int32_t)(r >> 1);
+    return to_screen(fx_mulhi_s32(e.x, half), t->shift - (int)up, &out->x) &
+           to_screen(fx_mulhi_s32(e.y, half), t->shift - (int)up, &out->y);
+}

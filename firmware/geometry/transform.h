@@ -1,0 +1,84 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * From a mesh's int16 positions to the screen, in 32-bit products only.
+ *
+ * An object's transform is kept in block floating point: x and y rows already multiplied by the focal length and by 16
+ * (sub-pixels), z measured forward from the eye; each fits |value| < 2^29 with the exponent chosen for the object, so
+ * that a vertex is placed to a small fraction of a sub-pixel however large or far the object is.
+ */
+#ifndef GLINT_TRANSFORM_H
+#define GLINT_TRANSFORM_H
+
+#include "geometry/rotation.h"
+
+/* Screen coordinates are 28.4, relative to the picture's centre, x right, y down; the guard band reaches this far. */
+#define GUARD (1024 * 16)
+
+/* Depth 0 is the far end (what the buffer is cleared to), larger is nearer: 1/z for perspective, z for orthographic,
+ * from DEPTH_FAR to DEPTH_NEAR; the margins keep an interpolated depth, rounding included, inside 16 bits. */
+#define DEPTH_FAR  8
+#define DEPTH_NEAR 65527
+
+/* The camera for one frame. */
+struct view {
+    struct rotation rotation;
+    struct matrix matrix;
+    q16_t position[3];
+    uint32_t focal;     /* 16 f in [2^30, 2^31) ... */
+    int focal_exponent; /* ... times 2^-this */
+    q16_t near_plane, far_plane;
+    uint16_t kind; /* enum scene_camera_kind */
+};
+
+/* value = (hi . p) + ((lo . p) >> 14) + t for a position p. |hi| <= 2^14, 0 <= lo < 2^14, |p| <= 2^15: the lo sum is
+ * below 3 * 2^29; the hi products are below 2^29 and every partial sum, the offset included, below 2^31. */
+struct axis {
+    int32_t hi[3], lo[3], t;
+};
+
+struct transform {
+    struct axis x, y, z;
+    int32_t near_z, far_z; /* in the units of the z row */
+    int divide;            /* perspective: screen = (x / z) >> (shift - normalisation of z) */
+    int shift;             /* orthographic: screen = x >> shift */
+    uint32_t depth_scale;  /* perspective: near_z normalised; orthographic: (DEPTH_NEAR - DEPTH_FAR) / (far - near) */
+    int depth_shift;
+};
+
+/* A position in front of the near plane or not, before the divide. */
+struct eye_point {
+    int32_t x, y, z; /* in the units of the transform's rows */
+};
+
+/* A vertex on the screen. */
+struct screen_point {
+    int16_t x, y;   /* 28.4, |.| <= GUARD */
+    uint16_t depth; /* DEPTH_FAR..DEPTH_NEAR */
+};
+
+/* The camera of a scene for a picture of this size. */
+void view_setup(struct view *view, const struct scene_header *scene, uint16_t width, uint16_t height);
+
+/* The transform of a mesh in a pose; 0 if all of its bounding sphere lies before the near plane, behind the far
+ * plane, or out of the numbers' range. `world` receives the matrix from mesh axes to eye axes. */
+int transform_setup(struct transform *out, const struct view *view, const struct scene_mesh *mesh, const struct pose *pose,
+                    struct matrix *to_eye);
+
+static inline int32_t axis_value(const struct axis *r, int32_t px, int32_t py, int32_t pz)
+{
+    return r->t + r->hi[0] * px + r->hi[1] * py + r->hi[2] * pz +
+           ((r->lo[0] * px + r->lo[1] * py + r->lo[2] * pz) >> 14);
+}
+
+static inline struct eye_point transform_point(const struct transform *t, const int16_t p[3])
+{
+    int32_t x = p[0], y = p[1], z = p[2];
+    struct eye_point e = {axis_value(&t->x, x, y, z), axis_value(&t->y, x, y, z), axis_value(&t->z, x, y, z)};
+    return e;
+}
+
+/* Projects a point: 1, or 0 where it lies before the near plane or outside the guard band. Positions are rounded to
+ * nearest sub-pixel, ties up; the value before rounding errs by less than 2^-8 sub-pixel inside a 1024-pixel picture. */
+int transform_project(const struct transform *t, struct eye_point e, struct screen_point *out);
+
+#endif

@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Glint's whole public interface: what a user's own firmware includes.
+ *
+ * The caller owns every byte. glint_init() divides one block of memory, glint_frame_begin() transforms, lights, clips
+ * and sorts a scene at a moment of its animation, and glint_frame_next_band() draws a few rows at a time into the
+ * caller's band buffers, top to bottom. Nothing is allocated, nothing is static, nothing calls out; several renderers
+ * can be under way at once.
+ */
+#ifndef GLINT_H
+#define GLINT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define GLINT_MAX_SIZE 2048u /* pixels, either way */
+
+enum glint_error {
+    GLINT_E_ARGUMENT = -1, /* a size, format or method that does not exist, or a null pointer */
+    GLINT_E_MEMORY = -2,   /* config.memory is smaller than glint_memory_needed() or not aligned */
+    GLINT_E_SCENE = -3,    /* not a scene this version reads; glint_scene_problem() says why */
+};
+
+enum glint_format {
+    GLINT_RGB565, /* uint16_t in the CPU's byte order, rounded to nearest */
+    GLINT_RGB888, /* bytes r, g, b */
+    GLINT_GREY8,  /* Rec. 601 luma of the colours, shaded as one channel */
+    GLINT_GREY4,  /* two pixels a byte, the left in the high nibble; a row starts at a byte */
+    GLINT_FORMATS
+};
+
+/* The shading methods: only those that a program names are linked. */
+struct glint_method;
+extern const struct glint_method glint_flat;    /* one value a triangle */
+extern const struct glint_method glint_gouraud; /* finished colour linear over the triangle */
+extern const struct glint_method glint_x;       /* N.L and N.H quadratic over the triangle from the vertex normals
+                                                   alone (X-shading, eq. 32), clamp and power per pixel */
+extern const struct glint_method glint_phong;   /* normal interpolated and normalised per pixel */
+
+/* Their places in the statistics. */
+enum glint_method_id { GLINT_FLAT, GLINT_GOURAUD, GLINT_X, GLINT_PHONG, GLINT_METHODS };
+
+/* flags */
+#define GLINT_DITHER 1u /* ordered 4x4 dither for RGB565 and GREY4 */
+#define GLINT_NO_PLAN 2u /* compute every effect, even those that cannot show; the picture is the same */
+
+struct glint_config {
+    uint16_t width, height; /* of the picture, 1..2048 */
+    uint16_t band_rows;     /* rows a band, 1..height */
+    uint8_t format;         /* enum glint_format */
+    uint8_t flags;          /* GLINT_DITHER, GLINT_NO_PLAN */
+    const struct glint_method *method;
+
+    void *band[2];       /* glint_band_bytes() each, aligned to 4; band[1] may be null: then band[0] serves every time */
+    void *memory;        /* glint_memory_needed() bytes, aligned as a pointer, untouched by the caller until the last frame */
+    size_t memory_bytes;
+
+    uint16_t max_vertices;  /* stores: what does not fit is dropped whole and counted */
+    uint16_t max_triangles;
+    uint16_t max_clipped;   /* triangles made by clipping, at any one time a few: 64 suits most scenes */
+    uint8_t max_objects;
+    uint8_t max_lights;     /* 0..8; a scene with more is not drawn (GLINT_E_SCENE) */
+    uint8_t tables;         /* 16 KiB colour tables, one a material under one light: RGB565's fast path. 0: none */
+};
+
+/* What a frame did. Counts begin anew with each frame; the pixel counts grow with each band. */
+struct glint_stats {
+    uint32_t triangles;           /* in all objects */
+    uint32_t culled;              /* facing away, or without area on the pixel grid */
+    uint32_t rejected;            /* wholly outside the view */
+    uint32_t clipped;             /* cut at the near plane or the guard band */
+    uint32_t dropped;             /* no room in a store */
+    uint32_t drawn[GLINT_METHODS]; /* by the method they were drawn with */
+    uint32_t pixels[GLINT_METHODS]; /* that passed the depth test, by method */
+    uint32_t specular_triangles;  /* of the drawn: those a highlight can reach */
+    uint32_t linear_triangles;    /* of the drawn by X: those whose bend cannot show */
+    uint32_t setups;              /* triangle set-ups: one a triangle and band that it touches */
+};
+
+struct glint_band {
+    void *pixels;
+    uint16_t y, rows; /* of the picture */
+    uint32_t stride;  /* bytes a row */
+};
+
+struct scene_header;
+
+/* The renderer's state: sizes and pointers into config.memory. Its members are its own; 'stats' may be read. */
+struct glint_frame {
+    struct glint_config config;
+    struct glint_stats stats;
+    const struct scene_header *scene;
+    uint16_t next_row;
+    uint8_t band_index;
+    uint8_t light_count;
+    uint16_t vertex_stride; /* int16_t a vertex record */
+    uint16_t vertex_count, triangle_count, clipped_count, object_count;
+    uint16_t active, queued; /* of order[]: [0, active) reach below the last band, [queued, triangle_count) are to come */
+    struct object_state *objects;
+    int16_t *vertices;
+    struct triangle_ref *triangles;
+    struct clipped_triangle *clipped;
+    uint16_t *order; /* triangles by first row, then as submitted */
+    uint16_t *rows;  /* for the sort */
+    uint16_t *depth;
+    struct raster *raster;
+};
+
+/* Bytes a row, and a band of config->band_rows rows, of the configured size and format. */
+size_t glint_row_bytes(const struct glint_config *config);
+size_t glint_band_bytes(const struct glint_config *config);
+
+/* Checks a scene blob in full (CRC included): 0 or GLINT_E_SCENE. Do this once, before its first use. */
+int glint_scene_check(const void *scene, size_t size);
+/* Why glint_scene_check() refused: one short sentence. */
+const char *glint_scene_problem(const void *scene, size_t size);
+
+/* Sets max_vertices, max_triangles, max_clipped and max_objects so that every view of the checked scene fits. */
+void glint_fit_stores(struct glint_config *config, const void *scene);
+
+/* Bytes that config->memory must have; 0 if the configuration is not one glint_init() takes. */
+size_t glint_memory_needed(const struct glint_config *config);
+
+/* Makes a renderer of a configuration, which is copied. */
+int glint_init(struct glint_frame *frame, const struct glint_config *config);
+
+/* Begins the frame at `time_ms` of a checked scene. The scene must stay where it is until the last band. */
+int glint_frame_begin(struct glint_frame *frame, const void *scene, uint32_t time_ms);
+
+/* Draws the next band: 1 and the band, or 0 after the last. */
+int glint_frame_next_band(struct glint_frame *frame, struct glint_band *band);
+
+#endif

@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: MIT */
+/* How a configuration divides the caller's memory. */
+#include "frame.h"
+#include "raster/raster.h"
+
+static size_t words(size_t bytes) { return (bytes + 3) & ~(size_t)3; }
+
+static int valid(const struct glint_config *c)
+{
+    return c && c->width && c->width <= GLINT_MAX_SIZE && c->height && c->height <= GLINT_MAX_SIZE && c->band_rows &&
+           c->band_rows <= c->height && c->format < GLINT_FORMATS && c->method && c->max_lights <= SCENE_MAX_LIGHTS;
+}
+
+size_t glint_row_bytes(const struct glint_config *c)
+{
+    switch (c->format) {
+    case GLINT_RGB565:
+        return 2u * c->width;
+    case GLINT_RGB888:
+        return 3u * c->width;
+    case GLINT_GREY8:
+        return c->width;
+    default:
+        return (c->width + 1u) / 2;
+    }
+}
+
+size_t glint_band_bytes(const struct glint_config *c) { return words(glint_row_bytes(c) * c->band_rows); }
+
+/* Hands out the memory in order; with f null it only counts. Everything is a multiple of 4, pointers first. */
+static size_t divide(const struct glint_config *c, struct glint_frame *f)
+{
+    uint8_t *base = f ? c->memory : 0;
+    size_t at = 0;
+#define TAKE(member, bytes)                          \
+    do {                                             \
+        if (f)                                       \
+            f->member = (void *)(base + at);         \
+        at += words(bytes);                          \
+    } while (0)
+    TAKE(raster, sizeof(struct raster));
+    TAKE(raster->table, c->tables * sizeof(struct colour_table));
+    TAKE(objects, c->max_objects * sizeof(struct object_state));
+    TAKE(clipped, c->max_clipped * sizeof(struct clipped_triangle));
+    TAKE(vertices, (size_t)c->max_vertices * (VERTEX_LIGHTS + 2u * c->max_lights) * 2);
+    TAKE(triangles, c->max_triangles * sizeof(struct triangle_ref));
+    TAKE(order, c->max_triangles * 2u);
+    TAKE(depth, (size_t)c->width * c->band_rows * 2);
+    TAKE(rows, (c->height + 1u) * 2u);
+#undef TAKE
+    return at;
+}
+
+size_t glint_memory_needed(const struct glint_config *c) { return valid(c) ? divide(c, 0) : 0; }
+
+static struct palette palette_of(enum glint_format format)
+{
+    static const struct palette palettes[GLINT_FORMATS] = {
+        {3, {31, 63, 31}},
+        {3, {255, 255, 255}},
+        {1, {255, 0, 0}},
+        {1, {15, 0, 0}},
+    };
+    return palettes[format];
+}
+
+int glint_init(struct glint_frame *f, const struct glint_config *c)
+{
+    if (!f || !valid(c) || !c->band[0] || (((uintptr_t)c->band[0] | (uintptr_t)c->band[1]) & 3))
+        return GLINT_E_ARGUMENT;
+    if (!c->memory || ((uintptr_t)c->memory & (_Alignof(struct raster) - 1)) || c->memory_bytes < divide(c, 0))
+        return GLINT_E_MEMORY;
+    *f = (struct glint_frame){0};
+    f->config = *c;
+    divide(c, f);
+    struct raster *r = f->raster;
+    struct colour_table *tables = r->table;
+    r->width = c->width;
+    r->height = c->height;
+    r->format = c->format;
+    r->dither = (c->flags & GLINT_DITHER) != 0;
+    r->stride = (uint32_t)glint_row_bytes(c);
+    r->depth = f->depth;
+    r->palette = palette_of(c->format);
+    r->tables = c->tables;
+    for (unsigned i = 0; i < c->tables; i++)
+        tables[i].ready = 0;
+    return 0;
+}
+
+static uint16_t at_most(uint32_t x, uint32_t limit) { return (uint16_t)(x < limit ? x : limit); }
+
+void glint_fit_stores(struct glint_config *c, const void *scene)
+{
+    const struct scene_header *s = scene;
+    const struct scene_object *object = scene_objects(s);
+    uint32_t vertices = 0, triangles = 0;
+    for (unsigned i = 0; i < s->object_count; i++) {
+        const struct scene_mesh *mesh = scene_meshes(s) + object[i].mesh;
+        vertices += mesh->vertex_count;
+        triangles += mesh->triangle_count;
+    }
+    /* A triangle that is cut makes up to six; few are at a time. */
+    c->max_clipped = at_most(triangles / 4 + 64, 1024);
+    c->max_vertices = at_most(vertices, 65535);
+    c->max_triangles = at_most(triangles + c->max_clipped, 65535);
+    c->max_objects = (uint8_t)at_most(s->object_count, SCENE_MAX_OBJECTS);
+    c->max_lights = (uint8_t)at_most(s->light_count, SCENE_MAX_LIGHTS);
+}
+
+int glint_scene_check(const void *scene, size_t size) { return scene_check(scene, size) ? GLINT_E_SCENE : 0; }
+
+const char *glint_scene_problem(const void *scene, size_t size) { return scene_fault_text(scene_check(scene, size)); }

@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: MIT */
+#include "raster/raster.h"
+
+static void shade_run(struct raster *r, int x, int y, int n)
+{
+    (void)x;
+    (void)y;
+    for (int i = 0; i < n; i++)
+        for (unsigned c = 0; c < r->palette.channels; c++)
+            r->sum[i][c] = r->setup.flat[c];
+}
+
+static uint32_t spans(struct raster *r, struct edges *e)
+{
+    const struct polynomial *pz = &r->setup.depth.p;
+    const uint16_t colour = (uint16_t)raster_colour(r, r->setup.flat);
+    const uint32_t dz = pz->d;
+    uint32_t hidden = 0, covered = 0;
+    uint32_t z = pz->f + pz->e * (uint32_t)(e->row - r->setup.plane.oy);
+    uint32_t row = (uint32_t)(e->row - r->y0) * r->width;
+    do {
+        int x0, x1;
+        if (raster_span(r, e, &x0, &x1)) {
+            uint32_t vz = z + dz * (uint32_t)(x0 - r->setup.plane.ox);
+            uint16_t *pixel = (uint16_t *)(void *)r->pixels + row + x0, *depth = r->depth + row + x0;
+            uint16_t *end = pixel + (x1 - x0);
+            covered += (uint32_t)(x1 - x0);
+            do {
+                uint32_t nearer = vz >> 16;
+                if (nearer > *depth) {
+                    *depth = (uint16_t)nearer;
+                    *pixel = colour;
+                } else {
+                    hidden++;
+                }
+                vz += dz;
+                depth++;
+            } while (++pixel < end);
+        }
+        z += pz->e;
+        row += r->width;
+    } while (edges_next(e));
+    return covered - hidden;
+}
+
+static uint32_t draw(struct raster *r, struct edges *e)
+{
+    if (r->setup.plane.exact || r->format != GLINT_RGB565 || r->dither)
+        return raster_runs(r, e, shade_run);
+    return spans(r, e);
+}
+
+const struct glint_method glint_flat = {GLINT_FLAT, shade_flat, draw};

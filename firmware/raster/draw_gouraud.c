@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: MIT */
+#include "raster/raster.h"
+
+/* Channels are Q24 steps between 0 and 255, so unsigned 32 bits; a rounding below 0 is taken for 0. */
+static void shade_run(struct raster *r, int x, int y, int n)
+{
+    for (unsigned c = 0; c < r->palette.channels; c++) {
+        plane_values(&r->setup.plane, &r->setup.channel[c], 0, x, y, n, r->value[0]);
+        for (int i = 0; i < n; i++) {
+            uint32_t value = (uint32_t)r->value[0][i];
+            r->sum[i][c] = value >= 0xff800000u ? 0 : value >> 9;
+        }
+    }
+}
+
+/* 565: fields of at most 6 bits, so a Q24 step count plus the rounding half stays below 2^30 and its sign shows. */
+static uint32_t spans(struct raster *r, struct edges *e)
+{
+    const struct polynomial *pz = &r->setup.depth.p, *pr = &r->setup.channel[0].p, *pg = &r->setup.channel[1].p,
+                            *pb = &r->setup.channel[2].p;
+    const uint32_t dz = pz->d, dr = pr->d, dg = pg->d, db = pb->d, half = 1u << 23;
+    uint32_t j = (uint32_t)(e->row - r->setup.plane.oy), hidden = 0, covered = 0;
+    uint32_t z = pz->f + pz->e * j, red = pr->f + pr->e * j + half, green = pg->f + pg->e * j + half,
+             blue = pb->f + pb->e * j + half;
+    uint32_t row = (uint32_t)(e->row - r->y0) * r->width;
+    do {
+        int x0, x1;
+        if (raster_span(r, e, &x0, &x1)) {
+            uint32_t i = (uint32_t)(x0 - r->setup.plane.ox);
+            uint32_t vz = z + dz * i, vr = red + dr * i, vg = green + dg * i, vb = blue + db * i;
+            uint16_t *pixel = (uint16_t *)(void *)r->pixels + row + x0, *depth = r->depth + row + x0;
+            uint16_t *end = pixel + (x1 - x0);
+            covered += (uint32_t)(x1 - x0);
+            do {
+                uint32_t nearer = vz >> 16;
+                if (nearer > *depth) {
+                    *depth = (uint16_t)nearer;
+                    *pixel = (uint16_t)(vr >> 24 << 11 | vg >> 24 << 5 | vb >> 24);
+                } else {
+                    hidden++;
+                }
+                vz += dz;
+                vr += dr;
+                vg += dg;
+                vb += db;
+                depth++;
+            } while (++pixel < end);
+        }
+        z += pz->e;
+        red += pr->e;
+        green += pg->e;
+        blue += pb->e;
+        row += r->width;
+    } while (edges_next(e));
+    return covered - hidden;
+}
+
+static uint32_t draw(struct raster *r, struct edges *e)
+{
+    if (r->setup.plane.exact || r->format != GLINT_RGB565 || r->dither)
+        return raster_runs(r, e, shade_run);
+    return spans(r, e);
+}
+
+const struct glint_method glint_gouraud = {GLINT_GOURAUD, shade_gouraud, draw};

@@ -1,0 +1,169 @@
+/* SPDX-License-Identifier: MIT */
+/* X-shading's pixels. */
+#include "raster/raster.h"
+
+static void shade_run(struct raster *r, int x, int y, int n)
+{
+    const struct surface *s = &r->surface;
+    struct shade_setup *setup = &r->setup;
+    int32_t *value = r->value[0];
+    unsigned channels = s->channels;
+    for (int i = 0; i < n; i++)
+        for (unsigned c = 0; c < channels; c++)
+            r->sum[i][c] = s->base[c];
+    for (unsigned l = 0; l < s->lights; l++) {
+        if (setup->diffuse_lights >> l & 1) {
+            plane_values(&setup->plane, &setup->channel[2 * l], setup->quadratic, x, y, n, value);
+            for (int i = 0; i < n; i++) {
+                uint32_t diffuse = value[i] > 0 ? (uint32_t)value[i] >> 15 : 0;
+                for (unsigned c = 0; c < channels; c++)
+                    r->sum[i][c] += surface_diffuse(diffuse, s->light[l].diffuse[c]);
+            }
+        }
+        if (setup->specular_lights >> l & 1) {
+            plane_values(&setup->plane, &setup->channel[2 * l + 1], setup->quadratic, x, y, n, value);
+            for (int i = 0; i < n; i++) {
+                uint32_t power = fx_power(s->power, value[i]);
+                for (unsigned c = 0; c < channels; c++)
+                    r->sum[i][c] += surface_diffuse(power, s->light[l].specular[c]);
+            }
+        }
+    }
+}
+
+/* Rows of one channel, for the loops below: value and first difference where a span starts. */
+struct row {
+    uint32_t f, e, d;
+};
+
+static inline void row_begin(struct row *row, const struct polynomial *p, uint32_t j, int quadratic)
+{
+    row->f = p->f + p->e * j + (quadratic ? p->b * j * j : 0);
+    row->e = p->e + (quadratic ? p->b * (2 * j + 1) : 0);
+    row->d = p->d + (quadratic ? p->c * j : 0);
+}
+
+static inline void row_next(struct row *row, const struct polynomial *p, int quadratic)
+{
+    row->f += row->e;
+    if (quadratic) {
+        row->e += 2 * p->b;
+        row->d += p->c;
+    }
+}
+
+static inline uint32_t row_value(const struct row *row, const struct polynomial *p, uint32_t i, int quadratic,
+                                 uint32_t *step)
+{
+    uint32_t ai = quadratic ? p->a * i : 0;
+    *step = row->d + 2 * ai + p->a;
+    return row->f + (row->d + ai) * i;
+}
+
+/*
+ * The loop of a case: diffuse (and a highlight where `highlight`), quadratic or linear, into 565 through a table. A
+ * template: always called with constants. N.L is indexed by its top 6 bits of fraction, N.H from the foot of the
+ * power; both clamped, as the table's first and last entries stand for all beyond.
+ */
+static inline __attribute__((always_inline)) uint32_t spans(struct raster *r, struct edges *e, const uint16_t *colours,
+                                                            int diffuse, int highlight, int quadratic)
+{
+    const struct shade_setup *setup = &r->setup;
+    const struct polynomial *pz = &setup->depth.p, *pl = &setup->channel[0].p, *ph = &setup->channel[1].p;
+    uint32_t j = (uint32_t)(e->row - setup->plane.oy), hidden = 0, covered = 0;
+    const int foot = (int)(TABLE_HIGHLIGHT << r->surface.power->octave) - (int)TABLE_HIGHLIGHT;
+    const int down = 23 - r->surface.power->octave;
+    const uint32_t al = 2 * pl->a, ah = 2 * ph->a, dz = pz->d;
+    struct row z, l = {0, 0, 0}, h = {0, 0, 0};
+    row_begin(&z, pz, j, 0);
+    if (diffuse)
+        row_begin(&l, pl, j, quadratic);
+    if (highlight)
+        row_begin(&h, ph, j, quadratic);
+    uint16_t *pixels = (uint16_t *)(void *)(r->pixels + (uint32_t)(e->row - r->y0) * r->stride);
+    uint16_t *depths = r->depth + (uint32_t)(e->row - r->y0) * r->width;
+    do {
+        int x0, x1;
+        if (raster_span(r, e, &x0, &x1)) {
+            uint32_t i = (uint32_t)(x0 - setup->plane.ox), dl = 0, dh = 0, vl = 0, vh = 0;
+            uint32_t vz = z.f + dz * i;
+            if (diffuse)
+                vl = row_value(&l, pl, i, quadratic, &dl);
+            if (highlight)
+                vh = row_value(&h, ph, i, quadratic, &dh);
+            uint16_t *pixel = pixels + x0, *depth = depths + x0, *end = pixels + x1;
+            covered += (uint32_t)(x1 - x0);
+            do {
+                uint32_t nearer = vz >> 16;
+                if (nearer > *depth) {
+                    int32_t index = 0;
+                    *depth = (uint16_t)nearer;
+                    if (diffuse) {
+                        index = (int32_t)vl >> 24;
+                        index = index < 0 ? 0 : index > TABLE_DIFFUSE - 1 ? TABLE_DIFFUSE - 1 : index;
+                    }
+                    if (highlight) {
+                        int32_t up = ((int32_t)vh >> down) - foot;
+                        up = up < 0 ? 0 : up > TABLE_HIGHLIGHT - 1 ? TABLE_HIGHLIGHT - 1 : up;
+                        index += up * TABLE_DIFFUSE;
+                    }
+                    *pixel = colours[index];
+                } else {
+                    hidden++;
+                }
+                vz += dz;
+                if (diffuse) {
+                    vl += dl;
+                    if (quadratic)
+                        dl += al;
+                }
+                if (highlight) {
+                    vh += dh;
+                    if (quadratic)
+                        dh += ah;
+                }
+                depth++;
+            } while (++pixel < end);
+        }
+        row_next(&z, pz, 0);
+        if (diffuse)
+            row_next(&l, pl, quadratic);
+        if (highlight)
+            row_next(&h, ph, quadratic);
+        pixels += r->width;
+        depths += r->width;
+    } while (edges_next(e));
+    return covered - hidden;
+}
+
+/* One function a case, none inlined into another, so that each has all registers to itself. */
+#define CASE(name, diffuse, highlight, quadratic)                                                            \
+    static __attribute__((noinline)) uint32_t name(struct raster *r, struct edges *e, const uint16_t *colours) \
+    {                                                                                                        \
+        return spans(r, e, colours, diffuse, highlight, quadratic);                                          \
+    }
+CASE(spans_dark, 0, 0, 0)
+CASE(spans_diffuse, 1, 0, 0)
+CASE(spans_diffuse_quadratic, 1, 0, 1)
+CASE(spans_both, 1, 1, 0)
+CASE(spans_both_quadratic, 1, 1, 1)
+
+static uint32_t draw(struct raster *r, struct edges *e)
+{
+    struct shade_setup *setup = &r->setup;
+    const struct colour_table *table;
+    if (setup->plane.exact || r->format != GLINT_RGB565 || r->dither || r->surface.lights != 1 || !(table = raster_table(r)))
+        return raster_runs(r, e, shade_run);
+    const uint16_t *colours = table->colour[0];
+    /* Rounding to the table's steps: half a step more. */
+    setup->channel[0].p.f += 1u << 23;
+    if (setup->specular_lights) {
+        setup->channel[1].p.f += 1u << (22 - r->surface.power->octave);
+        return setup->quadratic ? spans_both_quadratic(r, e, colours) : spans_both(r, e, colours);
+    }
+    if (setup->diffuse_lights)
+        return setup->quadratic ? spans_diffuse_quadratic(r, e, colours) : spans_diffuse(r, e, colours);
+    return spans_dark(r, e, colours);
+}
+
+const struct glint_method glint_x = {GLINT_X, shade_x, draw};

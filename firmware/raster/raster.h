@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * From a set-up triangle to pixels of a band. Two ways lead there: loops made for one case (RGB565 from a colour table,
+ * and Gouraud and flat in 565), and the general one, which works on runs of up to RUN pixels: depth test to a mask,
+ * shading into sums, conversion to the output's format.
+ */
+#ifndef GLINT_RASTER_H
+#define GLINT_RASTER_H
+
+#include "geometry/clip.h"
+#include "glint.h"
+#include "raster/edges.h"
+#include "shade/shade.h"
+
+#define RUN 16 /* pixels; a mask bit each */
+
+/* Colours of one material under one light, RGB565: [highlight step][diffuse step]. Row 0 has no highlight. */
+#define TABLE_DIFFUSE   64
+#define TABLE_HIGHLIGHT 128
+struct colour_table {
+    struct surface surface; /* what it was made for */
+    uint16_t ready;
+    uint16_t colour[TABLE_HIGHLIGHT][TABLE_DIFFUSE];
+};
+
+struct raster {
+    /* the picture and the band in hand */
+    uint16_t width, height;
+    uint16_t y0, y1;
+    uint8_t format, dither, tables;
+    uint32_t stride;
+    uint8_t *pixels;
+    uint16_t *depth; /* of the band, width a row */
+    struct palette palette;
+    struct surface surface;
+    uint16_t surface_material; /* which one `surface` holds; 0xffff: none */
+    struct colour_table *table;
+    /* the triangle in hand */
+    struct shade_input input;
+    struct shade_setup setup;
+    uint16_t weight[3][3];
+    struct clip_polygon polygon[2]; /* while a frame begins */
+    /* the run in hand */
+    int32_t value[3][RUN];
+    uint32_t sum[RUN][3];
+};
+
+struct triangle_ref;
+
+/* A method: how a triangle is set up, and its pixels. */
+struct glint_method {
+    uint8_t id; /* enum glint_method_id */
+    void (*setup)(struct shade_setup *setup, const struct shade_input *in);
+    /* Draws the set-up triangle over the band; returns the pixels that passed the depth test. */
+    uint32_t (*draw)(struct raster *r, struct edges *e);
+};
+
+/* The general way: `shade` fills r->sum for n pixels from (x, y), Q15 steps, unclamped. */
+typedef void raster_shade(struct raster *r, int x, int y, int n);
+uint32_t raster_runs(struct raster *r, struct edges *e, raster_shade *shade);
+
+/* Writes the pixels of a mask from r->sum. */
+void raster_write(struct raster *r, int x, int y, uint32_t mask);
+
+/* A colour in Q15 steps as the format has it. */
+uint32_t raster_colour(const struct raster *r, const uint32_t sum[3]);
+
+/* Fills the band with the background and its depth with the far end. */
+void raster_clear(struct raster *r, const struct scene_header *scene);
+
+/* The colour table of the surface in hand, made if need be; null: there is none for it. */
+const struct colour_table *raster_table(struct raster *r);
+
+/* The range of a row inside the picture. */
+static inline int raster_span(const struct raster *r, const struct edges *e, int *x0, int *x1)
+{
+    int left = e->left.column, right = e->right.column;
+    *x0 = left < 0 ? 0 : left;
+    *x1 = right > r->width ? r->width : right;
+    return *x0 < *x1;
+}
+
+#endif

@@ -1,0 +1,99 @@
+/* SPDX-License-Identifier: MIT */
+/* Sums in steps of the output to pixels: clamp, round or dither, pack. */
+#include "raster/raster.h"
+
+/* Thresholds of the ordered dither (Bayer 4x4), in 1/16 step, about the middle. */
+static const uint8_t bayer[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
+
+#define HALF_STEP (1u << 14)
+
+/* Sums stay below 9 * 2 * 255 * 2^15 < 2^31 (eight lights and the ambient part): adding a step fits. */
+static inline uint32_t level(uint32_t sum, uint32_t threshold, uint32_t top)
+{
+    uint32_t v = (sum + threshold) >> 15;
+    return v > top ? top : v;
+}
+
+static inline uint32_t threshold_at(const struct raster *r, int x, int y)
+{
+    return r->dither ? (uint32_t)(2 * bayer[y & 3][x & 3] + 1) << 10 : HALF_STEP;
+}
+
+static uint32_t pack(const struct raster *r, const uint32_t sum[3], uint32_t threshold)
+{
+    const uint8_t *top = r->palette.top;
+    uint32_t first = level(sum[0], threshold, top[0]);
+    if (r->palette.channels == 1)
+        return first;
+    uint32_t second = level(sum[1], threshold, top[1]), third = level(sum[2], threshold, top[2]);
+    if (r->format == GLINT_RGB565)
+        return first << 11 | second << 5 | third;
+    return first << 16 | second << 8 | third;
+}
+
+uint32_t raster_colour(const struct raster *r, const uint32_t sum[3]) { return pack(r, sum, HALF_STEP); }
+
+static void put(const struct raster *r, uint8_t *row, int x, uint32_t colour)
+{
+    switch (r->format) {
+    case GLINT_RGB565:
+        ((uint16_t *)(void *)row)[x] = (uint16_t)colour;
+        break;
+    case GLINT_RGB888:
+        row[3 * x] = (uint8_t)(colour >> 16);
+        row[3 * x + 1] = (uint8_t)(colour >> 8);
+        row[3 * x + 2] = (uint8_t)colour;
+        break;
+    case GLINT_GREY8:
+        row[x] = (uint8_t)colour;
+        break;
+    default:
+        row += x >> 1;
+        *row = (uint8_t)(x & 1 ? (*row & 0xf0) | colour : (*row & 0x0f) | colour << 4);
+    }
+}
+
+void raster_write(struct raster *r, int x, int y, uint32_t mask)
+{
+    uint8_t *row = r->pixels + (uint32_t)(y - r->y0) * r->stride;
+    for (int i = 0; mask; i++, mask >>= 1)
+        if (mask & 1)
+            put(r, row, x + i, pack(r, r->sum[i], threshold_at(r, x + i, y)));
+}
+
+/* Eight words at a time: a compiler makes store-multiples of it. `bytes` is a multiple of 4. */
+static void fill(uint32_t *to, uint32_t word, uint32_t bytes)
+{
+    uint32_t *end = to + bytes / 4;
+    for (; end - to >= 8; to += 8) {
+        to[0] = word;
+        to[1] = word;
+        to[2] = word;
+        to[3] = word;
+        to[4] = word;
+        to[5] = word;
+        to[6] = word;
+        to[7] = word;
+    }
+    while (to < end)
+        *to++ = word;
+}
+
+void raster_clear(struct raster *r, const struct scene_header *scene)
+{
+    uint32_t sum[3], rows = (uint32_t)(r->y1 - r->y0);
+    surface_colour(&r->palette, scene->background, sum);
+    uint32_t colour = raster_colour(r, sum);
+    /* The depth store is rounded up to whole words; what the last word holds beyond the band is not read. */
+    fill((uint32_t *)(void *)r->depth, 0, (rows * r->width * 2 + 3) & ~3u);
+    if (r->format == GLINT_RGB888 && colour % 0x10101u) {
+        for (uint32_t y = 0; y < rows; y++)
+            for (int x = 0; x < r->width; x++)
+                put(r, r->pixels + y * r->stride, x, colour);
+        return;
+    }
+    uint32_t word = r->format == GLINT_RGB565 ? colour | colour << 16
+                    : r->format == GLINT_GREY4 ? colour * 0x11111111u
+                                               : (colour & 0xff) * 0x01010101u;
+    fill((uint32_t *)(void *)r->pixels, word, (rows * r->stride + 3) & ~3u);
+}

@@ -1,0 +1,176 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The scene as it lies in flash: one blob, no pointers. Every reference is a byte offset from the start of the
+ * header, a multiple of 4; integers are stored in the byte order of the machine that draws (little-endian from
+ * `glint pack`). scene_check() looks at every byte of structure once; after it, no reader checks again.
+ *
+ * Axes: right-handed, y up, the eye looks down -z. Lengths are in scene units, Q16 unless said otherwise.
+ */
+#ifndef GLINT_SCENE_H
+#define GLINT_SCENE_H
+
+#include "fixed/fixed.h"
+
+#include <stddef.h>
+
+#define SCENE_MAGIC   0x31544C47u /* "GLT1" */
+#define SCENE_VERSION 1u
+
+/* The most of each that the renderer addresses: 16-bit indices, and light sets that stay in 8 bits. */
+#define SCENE_MAX_VERTICES  65535u
+#define SCENE_MAX_TRIANGLES 65535u
+#define SCENE_MAX_OBJECTS   255u
+#define SCENE_MAX_LIGHTS    8u
+
+/* One vertex of a mesh: position in 1/32768 of the mesh's extent from its centre; unit normal in Q14, its length
+ * within 2^-13 of 1. */
+struct scene_vertex {
+    int16_t position[3];
+    q14_t normal[3];
+};
+
+/* Counter-clockwise seen from outside. bend[e] = -k = (1 - Ni.Nj)/2 in Q16 of the edge from corner e to corner
+ * (e + 1) % 3, saturated at 65535 (X-shading, eq. 32; k itself is never positive). */
+struct scene_triangle {
+    uint16_t corner[3];
+    uint16_t bend[3];
+    uint16_t material;
+    uint16_t reserved; /* 0 */
+};
+
+struct scene_mesh {
+    uint32_t vertices;       /* offset of struct scene_vertex[vertex_count] */
+    uint32_t triangles;      /* offset of struct scene_triangle[triangle_count] */
+    uint32_t uvs;            /* offset of int16_t[vertex_count][2], Q12 texture coordinates; 0: none */
+    uint32_t vertex_count;   /* 3..65535 */
+    uint32_t triangle_count; /* 1..65535 */
+    q16_t centre[3];         /* |c| < 2^14 units */
+    q16_t extent;            /* a position component of 32768 is this long; 2^-10 <= extent < 2^14 units */
+    q16_t radius;            /* of the bounding sphere about the centre; 0 < radius < 2^15 units */
+};
+
+#define MATERIAL_FLAT      1u /* its vertices carry face normals: every method draws it in one value a light */
+#define MATERIAL_TWO_SIDED 2u /* reserved for two-sided faces */
+
+/* Colour at a pixel = diffuse * (ka * ambient + sum kd * light * max(0, N.L))
+ *                   + specular * sum ks * light * max(0, N.H)^shininess; each channel clamped to 0..1 at the end.
+ * Colours and coefficients in Q15, 0..32768. */
+struct scene_material {
+    uint16_t diffuse[3];
+    uint16_t specular[3];
+    uint16_t ka, kd, ks;
+    uint16_t shininess; /* 1..1023 */
+    uint16_t power;     /* index of its struct fx_power, whose exponent is the shininess */
+    uint16_t flags;
+};
+
+enum scene_motion_kind { MOTION_NONE, MOTION_SPIN, MOTION_KEYS };
+
+/* How a thing moves. Spin: turned about `axis` through its own origin by rate * time, before its own rotation (a
+ * light: about the world's origin). Keys: rotation, position and scale interpolated between keys, the first held
+ * before and the last after; keys are sorted by time, all different. */
+struct scene_motion {
+    uint16_t kind;
+    uint16_t first_key;
+    uint16_t key_count; /* at least 1 for MOTION_KEYS, else 0 */
+    uint16_t reserved;  /* 0 */
+    q30_t axis[3];      /* unit, for MOTION_SPIN */
+    q16_t rate;         /* turns a second, |rate| < 2^8 */
+};
+
+/* A rotation is the unit quaternion (w, x, y, z) in Q30, its length within 2^-20 of 1. */
+struct scene_key {
+    uint32_t time_ms;
+    q30_t rotation[4];
+    q16_t position[3]; /* |p| < 2^14 units */
+    q16_t scale;       /* 2^-8 <= scale < 2^8 */
+};
+
+struct scene_object {
+    uint16_t mesh;
+    uint16_t flags; /* 0 */
+    q30_t rotation[4];
+    q16_t position[3];
+    q16_t scale; /* uniform; see scene_key for the ranges */
+    struct scene_motion motion;
+};
+
+enum scene_light_kind { LIGHT_DIRECTIONAL, LIGHT_POINT };
+
+struct scene_light {
+    uint16_t kind;
+    uint16_t flags;   /* 0 */
+    int32_t vector[3]; /* directional: unit vector towards the light, Q30; point: position, Q16, |p| < 2^14 units */
+    uint16_t colour[3];
+    uint16_t reserved; /* 0 */
+    struct scene_motion motion;
+};
+
+enum scene_camera_kind { CAMERA_PERSPECTIVE, CAMERA_ORTHOGRAPHIC };
+enum scene_viewer_kind { VIEWER_INFINITE, VIEWER_LOCAL };
+
+/* Perspective: pixel = (w/2 + f x / -z, h/2 - f y / -z); orthographic: (w/2 + f x, h/2 - f y), f in pixels (a unit) on
+ * a picture of reference_width x reference_height. Another size w x h scales f by min(w / reference_width,
+ * h / reference_height). Visible is near <= -z <= far. */
+struct scene_camera {
+    uint16_t kind;
+    uint16_t viewer; /* for the highlight: the eye at infinity along +z, or where it is */
+    q30_t rotation[4]; /* turns world axes into eye axes */
+    q16_t position[3]; /* of the eye in the world */
+    q16_t focal;       /* 2^-4 <= focal < 2^14 */
+    uint16_t reference_width, reference_height; /* 1..2048 */
+    q16_t near_plane, far_plane;                /* 2^-8 <= near < far < 2^15 units */
+};
+
+struct scene_header {
+    uint32_t magic;
+    uint16_t version;
+    uint16_t reserved; /* 0 */
+    uint32_t length;   /* of the whole blob, bytes */
+    uint32_t crc;      /* CRC-32 (IEEE 802.3) of bytes 16 .. length - 1 */
+    uint32_t meshes, materials, powers, lights, objects, keys; /* offsets of the arrays; 0 for an empty one */
+    uint16_t mesh_count, material_count, power_count, light_count, object_count, key_count;
+    uint32_t duration_ms; /* of one loop of the animation; 0: none. Time given to the renderer is taken modulo this */
+    uint16_t ambient[3];    /* Q15 */
+    uint16_t background[3]; /* Q15 */
+    struct scene_camera camera;
+};
+
+enum scene_fault {
+    SCENE_OK = 0,
+    SCENE_E_ALIGN = -1,     /* the blob does not start at a multiple of 4 */
+    SCENE_E_SHORT = -2,     /* shorter than its header or than the length it gives */
+    SCENE_E_MAGIC = -3,     /* not a scene, or one of the other byte order */
+    SCENE_E_VERSION = -4,   /* a scene of another version */
+    SCENE_E_CRC = -5,       /* damaged */
+    SCENE_E_STRUCTURE = -6, /* an array outside the blob, overlapping the header, misaligned or too long */
+    SCENE_E_INDEX = -7,     /* a reference to something that is not there */
+    SCENE_E_RANGE = -8,     /* a value outside the range given above */
+};
+
+/* Checks all of the blob: 0, or what is wrong. `size` may exceed the blob's own length (flash behind it). Reads
+ * nothing outside blob[0..size). */
+enum scene_fault scene_check(const void *blob, size_t size);
+
+/* One short English sentence for a fault, for messages. */
+const char *scene_fault_text(enum scene_fault fault);
+
+/* CRC-32 (IEEE 802.3, reflected, as zlib's) of `size` bytes, continuing from `crc` (0 to begin). */
+uint32_t scene_crc32(uint32_t crc, const void *bytes, size_t size);
+
+/* The arrays of a checked scene. */
+static inline const void *scene_at(const struct scene_header *scene, uint32_t offset)
+{
+    return (const uint8_t *)scene + offset;
+}
+static inline const struct scene_mesh *scene_meshes(const struct scene_header *s) { return scene_at(s, s->meshes); }
+static inline const struct scene_material *scene_materials(const struct scene_header *s)
+{
+    return scene_at(s, s->materials);
+}
+static inline const struct fx_power *scene_powers(const struct scene_header *s) { return scene_at(s, s->powers); }
+static inline const struct scene_light *scene_lights(const struct scene_header *s) { return scene_at(s, s->lights); }
+static inline const struct scene_object *scene_objects(const struct scene_header *s) { return scene_at(s, s->objects); }
+static inline const struct scene_key *scene_keys(const struct scene_header *s) { return scene_at(s, s->keys); }
+
+#endif

@@ -1,0 +1,257 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The one place where a scene is not trusted. Order matters: the header and its CRC first, then that every array lies
+ * inside the blob, and only then the arrays' contents, so that no reference is followed before it is known to be good.
+ */
+#include "scene/scene.h"
+
+#include <stdbool.h>
+
+#define POSITION_END (1 << 30) /* 2^14 units in Q16 */
+#define SCALE_MIN    (1 << 8)  /* 2^-8 */
+#define SCALE_END    (1 << 24) /* 2^8 */
+#define UNIT_Q15     32768u
+#define RATE_END     (1 << 24) /* 2^8 turns a second */
+
+static bool in_range(int32_t value, int32_t first, int32_t end)
+{
+    return value >= first && value < end;
+}
+
+static bool position_ok(const q16_t p[3])
+{
+    return in_range(p[0], 1 - POSITION_END, POSITION_END) && in_range(p[1], 1 - POSITION_END, POSITION_END) &&
+           in_range(p[2], 1 - POSITION_END, POSITION_END);
+}
+
+static bool colour_ok(const uint16_t c[3])
+{
+    return c[0] <= UNIT_Q15 && c[1] <= UNIT_Q15 && c[2] <= UNIT_Q15;
+}
+
+/* Length within 2^-20 of 1. Components are at most 2^30 + 2^10 here, so four squares stay below 2^63. */
+static bool unit_ok(const q30_t *v, unsigned components)
+{
+    int64_t excess = -((int64_t)1 << 60);
+    while (components--) {
+        int32_t c = *v++;
+        if (!in_range(c, -(1 << 30) - (1 << 10), (1 << 30) + (1 << 10) + 1))
+            return false;
+        excess += (int64_t)c * c;
+    }
+    const int64_t most = ((int64_t)1 << 41) + (1 << 20); /* (1 + 2^-20)^2 - 1 in Q60 */
+    return excess <= most && excess >= -most;
+}
+
+/* An array of `count` elements at `offset`, inside the blob and behind the header; an empty one has offset 0. */
+static bool array_ok(const struct scene_header *s, uint32_t offset, uint32_t count, uint32_t element)
+{
+    if (count == 0)
+        return offset == 0;
+    /* count <= 65535 and element < 2^9, so the product fits */
+    return offset % 4 == 0 && offset >= sizeof *s && offset <= s->length && count * element <= s->length - offset;
+}
+
+static enum scene_fault check_header(const struct scene_header *s, size_t size)
+{
+    if ((uintptr_t)s % 4 != 0)
+        return SCENE_E_ALIGN;
+    if (size < sizeof *s)
+        return SCENE_E_SHORT;
+    if (s->magic != SCENE_MAGIC)
+        return SCENE_E_MAGIC;
+    if (s->version != SCENE_VERSION)
+        return SCENE_E_VERSION;
+    if (s->length < sizeof *s || s->length > size)
+        return SCENE_E_SHORT;
+    if (s->crc != scene_crc32(0, (const uint8_t *)s + 16, s->length - 16))
+        return SCENE_E_CRC;
+    if (s->reserved != 0 || s->object_count > SCENE_MAX_OBJECTS || s->light_count > SCENE_MAX_LIGHTS)
+        return SCENE_E_RANGE;
+    if (!array_ok(s, s->meshes, s->mesh_count, sizeof(struct scene_mesh)) ||
+        !array_ok(s, s->materials, s->material_count, sizeof(struct scene_material)) ||
+        !array_ok(s, s->powers, s->power_count, sizeof(struct fx_power)) ||
+        !array_ok(s, s->lights, s->light_count, sizeof(struct scene_light)) ||
+        !array_ok(s, s->objects, s->object_count, sizeof(struct scene_object)) ||
+        !array_ok(s, s->keys, s->key_count, sizeof(struct scene_key)))
+        return SCENE_E_STRUCTURE;
+    return SCENE_OK;
+}
+
+static enum scene_fault check_camera(const struct scene_header *s)
+{
+    const struct scene_camera *c = &s->camera;
+    bool ok = colour_ok(s->ambient) && colour_ok(s->background) && c->kind <= CAMERA_ORTHOGRAPHIC &&
+              c->viewer <= VIEWER_LOCAL && unit_ok(c->rotation, 4) && position_ok(c->position) &&
+              in_range(c->focal, 1 << 12, 1 << 30) && in_range(c->reference_width, 1, 2049) &&
+              in_range(c->reference_height, 1, 2049) && c->near_plane >= SCALE_MIN && c->near_plane < c->far_plane;
+    return ok ? SCENE_OK : SCENE_E_RANGE;
+}
+
+/* floor(sqrt(x)), a bit at a time. */
+static uint32_t root(uint32_t x)
+{
+    uint32_t r = 0;
+    for (uint32_t bit = 1u << 15; bit; bit >>= 1)
+        if ((r | bit) * (r | bit) <= x)
+            r |= bit;
+    return r;
+}
+
+/* Positions inside the bounding sphere, on which clipping relies, and normals of unit length. */
+static enum scene_fault check_vertices(const struct scene_header *s, const struct scene_mesh *mesh)
+{
+    const struct scene_vertex *v = scene_at(s, mesh->vertices);
+    uint32_t furthest = 0;
+    for (uint32_t i = 0; i < mesh->vertex_count; i++, v++) {
+        uint32_t distance = 0, length = 0; /* squares: each at most 2^30, so three fit */
+        for (int k = 0; k < 3; k++) {
+            distance += (uint32_t)(v->position[k] * v->position[k]);
+            length += (uint32_t)(v->normal[k] * v->normal[k]);
+        }
+        if (distance > furthest)
+            furthest = distance;
+        if (length + (1u << 16) < 1u << 28 || length > (1u << 28) + (1u << 16) + 4) /* (1 + 2^-13)^2 in Q28 */
+            return SCENE_E_RANGE;
+    }
+    /* root < 2^16 and extent < 2^30 */
+    return ((uint64_t)root(furthest) * (uint32_t)mesh->extent) >> 15 <= (uint32_t)mesh->radius ? SCENE_OK
+                                                                                               : SCENE_E_RANGE;
+}
+
+static enum scene_fault check_triangles(const struct scene_header *s, const struct scene_mesh *mesh)
+{
+    const struct scene_triangle *t = scene_at(s, mesh->triangles);
+    for (uint32_t i = 0; i < mesh->triangle_count; i++, t++) {
+        if (t->reserved != 0)
+            return SCENE_E_RANGE;
+        for (int k = 0; k < 3; k++)
+            if (t->corner[k] >= mesh->vertex_count)
+                return SCENE_E_INDEX;
+        if (t->material >= s->material_count)
+            return SCENE_E_INDEX;
+    }
+    return SCENE_OK;
+}
+
+static enum scene_fault check_mesh(const struct scene_header *s, const struct scene_mesh *mesh)
+{
+    if (mesh->vertex_count < 3 || mesh->vertex_count > SCENE_MAX_VERTICES || mesh->triangle_count < 1 ||
+        mesh->triangle_count > SCENE_MAX_TRIANGLES || !position_ok(mesh->centre) ||
+        !in_range(mesh->extent, 1 << 6, 1 << 30) || mesh->radius <= 0)
+        return SCENE_E_RANGE;
+    if (!array_ok(s, mesh->vertices, mesh->vertex_count, sizeof(struct scene_vertex)) ||
+        !array_ok(s, mesh->triangles, mesh->triangle_count, sizeof(struct scene_triangle)) ||
+        (mesh->uvs != 0 && !array_ok(s, mesh->uvs, mesh->vertex_count, 2 * sizeof(int16_t))))
+        return SCENE_E_STRUCTURE;
+    enum scene_fault fault = check_vertices(s, mesh);
+    return fault ? fault : check_triangles(s, mesh);
+}
+
+static enum scene_fault check_power(const struct fx_power *p)
+{
+    bool ok = in_range(p->exponent, 1, FX_POWER_MAX_EXPONENT + 1) && p->octave <= FX_POWER_MAX_OCTAVE &&
+              p->value[FX_POWER_STEPS] <= UNIT_Q15 && p->value[FX_POWER_STEPS + 1] == p->value[FX_POWER_STEPS];
+    for (unsigned i = 0; ok && i < FX_POWER_STEPS; i++)
+        ok = p->value[i] <= p->value[i + 1];
+    return ok ? SCENE_OK : SCENE_E_RANGE;
+}
+
+static enum scene_fault check_material(const struct scene_header *s, const struct scene_material *m)
+{
+    if (!colour_ok(m->diffuse) || !colour_ok(m->specular) || m->ka > UNIT_Q15 || m->kd > UNIT_Q15 || m->ks > UNIT_Q15 ||
+        (m->flags & ~MATERIAL_FLAT) != 0)
+        return SCENE_E_RANGE;
+    if (m->power >= s->power_count)
+        return SCENE_E_INDEX;
+    return scene_powers(s)[m->power].exponent == m->shininess ? SCENE_OK : SCENE_E_RANGE;
+}
+
+static enum scene_fault check_key(const struct scene_key *k)
+{
+    return unit_ok(k->rotation, 4) && position_ok(k->position) && in_range(k->scale, SCALE_MIN, SCALE_END)
+               ? SCENE_OK
+               : SCENE_E_RANGE;
+}
+
+static enum scene_fault check_motion(const struct scene_header *s, const struct scene_motion *m)
+{
+    if (m->kind > MOTION_KEYS || m->reserved != 0 || (m->kind == MOTION_KEYS) != (m->key_count > 0))
+        return SCENE_E_RANGE;
+    if (m->kind == MOTION_SPIN && !(unit_ok(m->axis, 3) && in_range(m->rate, 1 - RATE_END, RATE_END)))
+        return SCENE_E_RANGE;
+    if (m->kind != MOTION_KEYS)
+        return SCENE_OK;
+    if (m->first_key >= s->key_count || m->key_count > s->key_count - m->first_key)
+        return SCENE_E_INDEX;
+    const struct scene_key *key = scene_keys(s) + m->first_key;
+    for (unsigned i = 1; i < m->key_count; i++)
+        if (key[i - 1].time_ms >= key[i].time_ms)
+            return SCENE_E_RANGE;
+    return SCENE_OK;
+}
+
+static enum scene_fault check_object(const struct scene_header *s, const struct scene_object *o)
+{
+    if (o->mesh >= s->mesh_count)
+        return SCENE_E_INDEX;
+    if (o->flags != 0 || !unit_ok(o->rotation, 4) || !position_ok(o->position) ||
+        !in_range(o->scale, SCALE_MIN, SCALE_END))
+        return SCENE_E_RANGE;
+    return check_motion(s, &o->motion);
+}
+
+static enum scene_fault check_light(const struct scene_header *s, const struct scene_light *l)
+{
+    if (l->kind > LIGHT_POINT || l->flags != 0 || l->reserved != 0 || !colour_ok(l->colour))
+        return SCENE_E_RANGE;
+    if (!(l->kind == LIGHT_POINT ? position_ok(l->vector) : unit_ok(l->vector, 3)))
+        return SCENE_E_RANGE;
+    return check_motion(s, &l->motion);
+}
+
+enum scene_fault scene_check(const void *blob, size_t size)
+{
+    const struct scene_header *s = blob;
+    enum scene_fault fault = check_header(s, size);
+    if (!fault)
+        fault = check_camera(s);
+    for (unsigned i = 0; !fault && i < s->mesh_count; i++)
+        fault = check_mesh(s, &scene_meshes(s)[i]);
+    for (unsigned i = 0; !fault && i < s->power_count; i++)
+        fault = check_power(&scene_powers(s)[i]);
+    for (unsigned i = 0; !fault && i < s->material_count; i++)
+        fault = check_material(s, &scene_materials(s)[i]);
+    for (unsigned i = 0; !fault && i < s->key_count; i++)
+        fault = check_key(&scene_keys(s)[i]);
+    for (unsigned i = 0; !fault && i < s->object_count; i++)
+        fault = check_object(s, &scene_objects(s)[i]);
+    for (unsigned i = 0; !fault && i < s->light_count; i++)
+        fault = check_light(s, &scene_lights(s)[i]);
+    return fault;
+}
+
+const char *scene_fault_text(enum scene_fault fault)
+{
+    switch (fault) {
+    case SCENE_OK:
+        return "the scene is good";
+    case SCENE_E_ALIGN:
+        return "the scene does not start at a multiple of 4";
+    case SCENE_E_SHORT:
+        return "the scene is cut short";
+    case SCENE_E_MAGIC:
+        return "not a scene, or one of the other byte order";
+    case SCENE_E_VERSION:
+        return "a scene of another version";
+    case SCENE_E_CRC:
+        return "the scene is damaged: its CRC does not match";
+    case SCENE_E_STRUCTURE:
+        return "an array lies outside the scene";
+    case SCENE_E_INDEX:
+        return "a reference to something that is not in the scene";
+    case SCENE_E_RANGE:
+        return "a value is outside its range";
+    }
+    return "unknown fault";
+}

@@ -1,0 +1,192 @@
+/* SPDX-License-Identifier: MIT */
+#include "shade/plane.h"
+
+/* Below this determinant, of corner differences scaled to 14 bits, the products of a quadratic's set-up lose too many
+ * bits: its error at the far side would reach .2 display units (2^(2 up) * 3 in Q30, up = 9). A height below 2 pixels
+ * lets gradients leave the ranges given below. Both go the exact way. */
+#define MIN_DET (1u << 22)
+
+int plane_setup(struct plane *plane, const int16_t *const p[3], unsigned width, unsigned height)
+{
+    int32_t x0 = p[0][0], y0 = p[0][1];
+    int32_t x1 = p[1][0] - x0, y1 = p[1][1] - y0, x2 = p[2][0] - x0, y2 = p[2][1] - y0;
+    /* |differences| <= 2^15: each product at most 2^30, the determinant twice the area of a box of 2^15: at most 2^30. */
+    if (x1 * y2 - x2 * y1 <= 0)
+        return 0;
+
+    uint32_t largest = (uint32_t)(x1 < 0 ? -x1 : x1) | (uint32_t)(y1 < 0 ? -y1 : y1) | (uint32_t)(x2 < 0 ? -x2 : x2) |
+                       (uint32_t)(y2 < 0 ? -y2 : y2); /* as good as the maximum for counting bits */
+    int scale = (int)fx_clz(largest) - 18;
+    uint32_t span = largest;
+    if (scale >= 0) {
+        x1 = (int32_t)((uint32_t)x1 << scale);
+        y1 = (int32_t)((uint32_t)y1 << scale);
+        x2 = (int32_t)((uint32_t)x2 << scale);
+        y2 = (int32_t)((uint32_t)y2 << scale);
+        span <<= scale;
+    } else { /* more than 1024 pixels: half a sub-pixel, a quarter where it is 2048, does not show over that length */
+        x1 >>= -scale;
+        y1 >>= -scale;
+        x2 >>= -scale;
+        y2 >>= -scale;
+        span >>= -scale;
+    }
+    int32_t det = x1 * y2 - x2 * y1;
+    plane->x1 = x1;
+    plane->y1 = y1;
+    plane->x2 = x2;
+    plane->y2 = y2;
+    plane->det = det > 0 ? (uint32_t)det : 1;
+    plane->scale = scale;
+    plane->up = (int)fx_clz(plane->det);
+    plane->r = fx_recip_norm(plane->det << plane->up);
+    /* Least height >= 2 pixels: det / span >= 32 sub-pixels, scaled. */
+    plane->exact = plane->det < MIN_DET || (scale > 0 ? plane->det >> scale : plane->det) < span << 5;
+
+    int32_t left = x0 + 8 * (int32_t)width, top = y0 + 8 * (int32_t)height;
+    plane->ox = left >> 4;
+    plane->oy = top >> 4;
+    plane->fx = 8 - (left & 15);
+    plane->fy = 8 - (top & 15);
+    return 1;
+}
+
+void plane_setup_quadratic(struct plane *plane)
+{
+    plane->r2 = (int32_t)(fx_mulhi_u32(plane->r, plane->r) >> 1);
+}
+
+/* x * 2^up modulo 2^32, or rounded to nearest for up < 0. */
+static inline uint32_t shifted(int32_t x, int up)
+{
+    if (up >= 0)
+        return (uint32_t)x << up;
+    return up < -31 ? 0 : (uint32_t)((x + (int32_t)(1u << (-up - 1))) >> -up);
+}
+
+/* The gradient of corner differences d1, d2, |d| < 2^16: a sixteenth of a pixel's step, times 2^16. Each product is
+ * below 2^30, the sums below 2^31. */
+static inline void gradient(const struct plane *p, int32_t d1, int32_t d2, uint32_t *gx, uint32_t *gy)
+{
+    /* n * 2^(16 + scale) / det = n * (r / 2^33) * 2^(scale + up - 14) */
+    int32_t half = (int32_t)(p->r >> 1);
+    int up = p->scale + p->up - 14;
+    *gx = shifted(fx_mulhi_s32(d1 * p->y2 - d2 * p->y1, half), up);
+    *gy = shifted(fx_mulhi_s32(d2 * p->x1 - d1 * p->x2, half), up);
+}
+
+static void keep_corners(struct channel *channel, const int32_t value[3], const int32_t bulge[3])
+{
+    for (int i = 0; i < 3; i++) {
+        channel->corner.value[i] = value[i];
+        channel->corner.bulge[i] = bulge ? bulge[i] : 0;
+    }
+}
+
+void plane_linear(const struct plane *plane, const int32_t value[3], struct channel *channel)
+{
+    if (plane->exact) {
+        keep_corners(channel, value, 0);
+        return;
+    }
+    uint32_t gx, gy;
+    gradient(plane, value[1] - value[0], value[2] - value[0], &gx, &gy);
+    struct polynomial *p = &channel->p;
+    p->f = ((uint32_t)value[0] << 16) + gx * (uint32_t)plane->fx + gy * (uint32_t)plane->fy;
+    p->d = gx << 4;
+    p->e = gy << 4;
+    p->a = p->b = p->c = 0;
+}
+
+void plane_quadratic(const struct plane *plane, const int32_t value[3], const int32_t bulge[3], struct channel *channel)
+{
+    if (plane->exact) {
+        keep_corners(channel, value, bulge);
+        return;
+    }
+    /* eq. 32: a u^2 + b v^2 + c u v + d u + e v + f, u towards corner 1, v towards corner 2. In Q28; |a|, |b| <= 2^28,
+     * |c| <= 3 * 2^28. */
+    int32_t a = bulge[0], b = bulge[2], c = a + b - bulge[1];
+    int32_t x1 = plane->x1, y1 = plane->y1, x2 = plane->x2, y2 = plane->y2;
+    uint32_t gx, gy;
+    gradient(plane, value[1] - value[0] - ((a + (1 << 13)) >> 14), value[2] - value[0] - ((b + (1 << 13)) >> 14), &gx, &gy);
+
+    /* eq. 22 times det^2, halved: coordinates are below 2^14, their products below 2^28 and times 8 below 2^31. Each
+     * high product is half of coefficient * product: below 2^27, for c 3 * 2^27; the sums stay below 2^30. */
+    int32_t na = fx_mulhi_s32(a, (y2 * y2) << 3) + fx_mulhi_s32(b, (y1 * y1) << 3) - fx_mulhi_s32(c, (y1 * y2) * 8);
+    int32_t nb = fx_mulhi_s32(a, (x2 * x2) << 3) + fx_mulhi_s32(b, (x1 * x1) << 3) - fx_mulhi_s32(c, (x1 * x2) * 8);
+    int32_t nc = fx_mulhi_s32(c, (x1 * y2 + x2 * y1) * 4) - fx_mulhi_s32(a, (x2 * y2) * 8) -
+                 fx_mulhi_s32(b, (x1 * y1) * 8);
+    /* n * 2^(31 + 8 + 2 scale) / det^2 = n * (r2 / 2^32) * 2^(2 (scale + up) - 22); a pixel is 16 sub-pixels. */
+    int up = 2 * (plane->scale + plane->up) - 22;
+    int32_t qa = (int32_t)shifted(fx_mulhi_s32(na, plane->r2), up);
+    int32_t qb = (int32_t)shifted(fx_mulhi_s32(nb, plane->r2), up);
+    int32_t qc = (int32_t)shifted(fx_mulhi_s32(nc, plane->r2), up + 1);
+
+    /* Move the origin from corner 0 to its pixel's centre. Heights are at least 2 pixels, so |qa|, |qb| <= 5/4 2^30 and
+     * |qc| <= 5/2 2^30 at the very worst bend; products are taken modulo 2^32, the results fit. */
+    int32_t fx = plane->fx, fy = plane->fy;
+    struct polynomial *p = &channel->p;
+    uint32_t ax = (uint32_t)(qa >> 3) * (uint32_t)fx, by = (uint32_t)(qb >> 3) * (uint32_t)fy;
+    uint32_t cx = (uint32_t)(qc >> 4) * (uint32_t)fx, cy = (uint32_t)(qc >> 4) * (uint32_t)fy;
+    p->f = ((uint32_t)value[0] << 16) + gx * (uint32_t)fx + gy * (uint32_t)fy + (uint32_t)((qa >> 8) * (fx * fx)) +
+           (uint32_t)((qb >> 8) * (fy * fy)) + (uint32_t)((qc >> 8) * (fx * fy));
+    p->d = (gx << 4) + ax + cy;
+    p->e = (gy << 4) + by + cx;
+    p->a = (uint32_t)qa;
+    p->b = (uint32_t)qb;
+    p->c = (uint32_t)qc;
+}
+
+/* The barycentric way: u, v, w in Q16 from edge functions, clamped to the triangle. */
+static int32_t exact_value(const struct plane *plane, const struct channel *channel, int32_t px, int32_t py)
+{
+    /* (px, py): pixel centre from corner 0, scaled like the corners. Inside the triangle both numerators lie in
+     * [0, det]; a pixel that the scaling moved outside by a rounding is clamped. */
+    const int32_t *value = channel->corner.value, *bulge = channel->corner.bulge;
+    int32_t nu = px * plane->y2 - py * plane->x2, nv = py * plane->x1 - px * plane->y1;
+    int32_t det = (int32_t)plane->det;
+    nu = nu < 0 ? 0 : nu > det ? det : nu;
+    nv = nv < 0 ? 0 : nv > det - nu ? det - nu : nv;
+    uint32_t u = fx_mulhi_u32((uint32_t)nu << plane->up, plane->r) >> 15; /* n / det in Q31, then Q16: <= 65536 */
+    uint32_t v = fx_mulhi_u32((uint32_t)nv << plane->up, plane->r) >> 15;
+    v = u + v > 65536 ? 65536 - u : v;
+    uint32_t w = 65536 - u - v;
+    /* Corner values differ by less than 2^16; the true sum fits, the products are modulo 2^32. Weights' products are
+     * Q32, at most 2^30. */
+    uint32_t linear = ((uint32_t)value[0] << 16) + (uint32_t)(value[1] - value[0]) * u + (uint32_t)(value[2] - value[0]) * v;
+    int32_t bend = fx_mulhi_s32(bulge[0], (int32_t)(w * u)) + fx_mulhi_s32(bulge[1], (int32_t)(u * v)) +
+                   fx_mulhi_s32(bulge[2], (int32_t)(v * w));
+    return (int32_t)(linear - ((uint32_t)bend << 2));
+}
+
+static void exact_values(const struct plane *plane, const struct channel *channel, int x, int y, int n, int32_t *out)
+{
+    int32_t px = (x - plane->ox) * 16 + plane->fx, py = (y - plane->oy) * 16 + plane->fy;
+    for (int i = 0; i < n; i++, px += 16) {
+        int scale = plane->scale;
+        out[i] = scale >= 0 ? exact_value(plane, channel, px * (1 << scale), py * (1 << scale))
+                            : exact_value(plane, channel, px >> -scale, py >> -scale);
+    }
+}
+
+void plane_values(const struct plane *plane, const struct channel *channel, int quadratic, int x, int y, int n,
+                  int32_t *out)
+{
+    if (plane->exact) {
+        exact_values(plane, channel, x, y, n, out);
+        return;
+    }
+    const struct polynomial *p = &channel->p;
+    uint32_t i = (uint32_t)(x - plane->ox), j = (uint32_t)(y - plane->oy);
+    uint32_t value = p->f + p->e * j + p->d * i, step = p->d;
+    if (!quadratic) {
+        for (; n; n--, value += step)
+            *out++ = (int32_t)value;
+        return;
+    }
+    value += (p->b * j + p->c * i) * j + p->a * i * i;
+    step += p->c * j + p->a * (2 * i + 1);
+    for (; n; n--, value += step, step += 2 * p->a)
+        *out++ = (int32_t)value;
+}

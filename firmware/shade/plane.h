@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Polynomials over a triangle on the screen, in integers.
+ *
+ * A polynomial is taken at pixel centres, relative to the pixel that holds corner 0 (the origin): at column i and row j
+ * from there it is f + d i + e j + a i^2 + b j^2 + c i j, exactly, modulo 2^32. As the true value fits 32 bits, every
+ * way of stepping gives the same bits.
+ *
+ * Set-up costs one reciprocal a triangle; a channel costs 2 (linear) or 14 (quadratic) high products and no division.
+ * Formulas: X-shading eq. 18-22, here in whole numbers with the corner differences first scaled to 14 bits.
+ */
+#ifndef GLINT_PLANE_H
+#define GLINT_PLANE_H
+
+#include "geometry/transform.h"
+
+struct polynomial {
+    uint32_t f, d, e, a, b, c;
+};
+
+/* The triangle's place on the screen, common to its channels. */
+struct plane {
+    int32_t x1, y1, x2, y2; /* corners 1 and 2 from corner 0, times 2^scale: the largest in [2^13, 2^14) */
+    uint32_t det;           /* x1 y2 - x2 y1 of those, in (0, 2^29) */
+    uint32_t r;             /* 2^63 / (det << up) */
+    int scale, up;
+    int ox, oy; /* the origin pixel */
+    int fx, fy; /* its centre from corner 0, 1/16 pixel, -7..8 */
+    int exact;  /* a sliver or tiny: evaluated by barycentric coordinates at each pixel instead */
+    int32_t r2; /* r^2 / 2^33, for quadratics */
+};
+
+/* One quantity over a triangle: a polynomial, or where plane.exact its corner values. */
+struct channel {
+    union {
+        struct polynomial p;
+        struct {
+            int32_t value[3];
+            int32_t bulge[3];
+        } corner;
+    };
+};
+
+/* From corners p[k] = x, y in 28.4 about the centre of a picture `width` x `height`, |p| <= GUARD, y down, in the
+ * order that makes the determinant positive; 0 if it is not. */
+int plane_setup(struct plane *plane, const int16_t *const p[3], unsigned width, unsigned height);
+
+/* What quadratics need besides; once a triangle, before the first. */
+void plane_setup_quadratic(struct plane *plane);
+
+/* A linear channel from corner values, any two of them less than 2^16 apart; the channel's value is 2^16 times that. */
+void plane_linear(const struct plane *plane, const int32_t value[3], struct channel *channel);
+
+/* A quadratic channel in Q30: corner values in Q14, |v| <= 2^14 + 2^11, and the bulges a_ij = (Ii + Ij) kij of the edges 0-1,
+ * 1-2, 2-0 in Q28, |a| <= 2^28 * 1.0. Phi = sum Ii li - sum aij li lj (X-shading eq. 32, order-free). */
+void plane_quadratic(const struct plane *plane, const int32_t value[3], const int32_t bulge[3], struct channel *channel);
+
+/* Values of a channel at n pixels from (x, y) rightwards; y down, picture coordinates. */
+void plane_values(const struct plane *plane, const struct channel *channel, int quadratic, int x, int y, int n,
+                  int32_t *out);
+
+#endif

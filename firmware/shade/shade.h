@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: MIT */
+/* What a method's set-up is given, and what it leaves for the pixels. */
+#ifndef GLINT_SHADE_H
+#define GLINT_SHADE_H
+
+#include "shade/plane.h"
+#include "shade/surface.h"
+
+/* A piece of a triangle made by clipping: three corners of the clipped polygon. */
+struct clipped_triangle {
+    uint16_t source; /* the mesh's triangle */
+    uint16_t reserved;
+    int16_t place[3][3];   /* x, y, depth as in a vertex record */
+    uint16_t weight[3][3]; /* of each corner: barycentric in the source triangle, Q15, sums to 32768 */
+};
+
+/* A triangle to be shaded. Corners stand clockwise on the screen (y down), so that determinants are positive. */
+struct shade_input {
+    const int16_t *place[3];  /* x, y, depth of the corners */
+    const int16_t *lights[3]; /* N.L and N.H, Q14, of the source triangle's corners, in the same turn */
+    const q14_t *normal[3];   /* of the source triangle's corners */
+    int32_t bend[3];          /* Q16 -k of the source's edges 0-1, 1-2, 2-0 */
+    const uint16_t (*weight)[3]; /* null: the corners are the source's */
+    const struct object_state *object;
+    const struct surface *surface;
+    int no_plan; /* keep effects that cannot show */
+};
+
+/* Channels: per light N.L then N.H (x), finished colours (gouraud), or the normal's components (phong). */
+#define SHADE_MAX_CHANNELS (2 * SCENE_MAX_LIGHTS)
+
+struct shade_setup {
+    struct plane plane;
+    struct channel depth;
+    struct channel channel[SHADE_MAX_CHANNELS];
+    uint32_t flat[3];        /* flat: the finished colour, Q15 steps */
+    uint8_t diffuse_lights;  /* x: bit i: light i reaches the triangle */
+    uint8_t specular_lights; /* x: bit i: light i's highlight does */
+    uint8_t quadratic;       /* x: some channel bends visibly; 0: all are linear */
+};
+
+/* Each fills the channels it needs; plane and depth are done. */
+void shade_flat(struct shade_setup *setup, const struct shade_input *in);
+void shade_gouraud(struct shade_setup *setup, const struct shade_input *in);
+void shade_x(struct shade_setup *setup, const struct shade_input *in);
+void shade_phong(struct shade_setup *setup, const struct shade_input *in);
+
+#endif

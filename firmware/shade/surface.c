@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: MIT */
+#include "shade/surface.h"
+
+/* Product of two Q15 numbers of at most 1, rounded. */
+static uint32_t times(uint32_t a, uint32_t b) { return (a * b + (1u << 14)) >> 15; }
+
+/* Rec. 601 luma of Q15 channels. */
+static uint32_t luma(const uint32_t rgb[3]) { return (77 * rgb[0] + 150 * rgb[1] + 29 * rgb[2] + 128) >> 8; }
+
+/* Q15 intensities to the palette's channels: steps in Q(15 + fraction - 15). */
+static void to_steps(const struct palette *palette, const uint32_t rgb_q15[3], unsigned down, uint32_t *out)
+{
+    if (palette->channels == 1) {
+        out[0] = (luma(rgb_q15) * palette->top[0]) >> down; /* 2^15 * 255 */
+        return;
+    }
+    for (unsigned c = 0; c < 3; c++)
+        out[c] = (rgb_q15[c] * palette->top[c]) >> down;
+}
+
+void surface_colour(const struct palette *palette, const uint16_t rgb_q15[3], uint32_t *out)
+{
+    uint32_t rgb[3] = {rgb_q15[0], rgb_q15[1], rgb_q15[2]};
+    to_steps(palette, rgb, 0, out);
+}
+
+void surface_setup(struct surface *surface, const struct scene_header *scene, const struct scene_material *material,
+                   const struct palette *palette)
+{
+    uint32_t rgb[3], steps[3] = {0, 0, 0};
+    surface->power = scene_powers(scene) + material->power;
+    surface->channels = palette->channels;
+    surface->lights = (uint8_t)scene->light_count;
+    surface->highlights = 0;
+    for (unsigned c = 0; c < 3; c++)
+        rgb[c] = times(times(material->diffuse[c], scene->ambient[c]), material->ka);
+    to_steps(palette, rgb, 0, surface->base);
+    for (unsigned c = 0; c < palette->channels; c++)
+        surface->top[c] = (uint32_t)palette->top[c] << 15;
+    const struct scene_light *light = scene_lights(scene);
+    for (unsigned i = 0; i < scene->light_count; i++) {
+        for (unsigned c = 0; c < 3; c++)
+            rgb[c] = times(times(material->diffuse[c], light[i].colour[c]), material->kd);
+        to_steps(palette, rgb, 7, steps);
+        for (unsigned c = 0; c < palette->channels; c++)
+            surface->light[i].diffuse[c] = (uint16_t)steps[c];
+        for (unsigned c = 0; c < 3; c++)
+            rgb[c] = times(times(material->specular[c], light[i].colour[c]), material->ks);
+        to_steps(palette, rgb, 7, steps);
+        for (unsigned c = 0; c < palette->channels; c++) {
+            surface->light[i].specular[c] = (uint16_t)steps[c];
+            surface->highlights |= steps[c] != 0;
+        }
+    }
+}
+
+void surface_shade(const struct surface *surface, const int16_t *lights_q14, uint32_t *out)
+{
+    unsigned channels = surface->channels;
+    for (unsigned c = 0; c < channels; c++)
+        out[c] = surface->base[c];
+    for (unsigned i = 0; i < surface->lights; i++) {
+        int32_t l = lights_q14[2 * i], h = lights_q14[2 * i + 1];
+        uint32_t diffuse = l > 0 ? (uint32_t)l << 1 : 0;
+        for (unsigned c = 0; c < channels; c++)
+            out[c] += surface_diffuse(diffuse, surface->light[i].diffuse[c]);
+        if (surface->highlights && h > 0) {
+            uint32_t power = fx_power(surface->power, (q30_t)(h << 16)); /* h < 2^14 */
+            for (unsigned c = 0; c < channels; c++)
+                out[c] += surface_diffuse(power, surface->light[i].specular[c]);
+        }
+    }
+    for (unsigned c = 0; c < channels; c++)
+        if (out[c] > surface->top[c])
+            out[c] = surface->top[c];
+}

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * What a material is under a scene's lights, in steps of the output: a channel's full intensity is 255 for 8 bits, 31
+ * or 63 for the fields of 565, 15 for 4-bit grey. Sums are kept in Q15 of a step.
+ */
+#ifndef GLINT_SURFACE_H
+#define GLINT_SURFACE_H
+
+#include "geometry/object.h"
+
+/* The output's channels: 1 (grey) or 3, and the largest value of each. */
+struct palette {
+    uint8_t channels;
+    uint8_t top[3];
+};
+
+struct surface {
+    const struct fx_power *power;
+    uint8_t channels, lights;
+    uint8_t highlights; /* some channel of `specular` is not 0 */
+    uint32_t base[3];   /* ambient part, Q15 steps, at most 255 * 2^15 */
+    uint32_t top[3];    /* full intensity, Q15 steps */
+    struct {
+        uint16_t diffuse[3], specular[3]; /* at N.L = 1, (N.H)^n = 1: Q8 steps, at most 255 * 2^8 */
+    } light[SCENE_MAX_LIGHTS];
+};
+
+void surface_setup(struct surface *surface, const struct scene_header *scene, const struct scene_material *material,
+                   const struct palette *palette);
+
+/* A colour of the scene in Q15 steps; `out` has palette->channels entries. */
+void surface_colour(const struct palette *palette, const uint16_t rgb_q15[3], uint32_t *out);
+
+/* Adds diffuse light: n_dot_l in Q30, clamped below at 0. At most 1.0887 * 2^15 * 255 * 2^8 < 2^31.2: unsigned. */
+static inline uint32_t surface_diffuse(uint32_t n_dot_l_q15, uint16_t step_q8) { return (n_dot_l_q15 * step_q8) >> 8; }
+
+/* The finished colour at N.L, N.H in Q14 of each light (a vertex record's), clamped to [0, top], Q15 steps. */
+void surface_shade(const struct surface *surface, const int16_t *lights_q14, uint32_t *out);
+
+#endif

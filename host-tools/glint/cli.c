@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: MIT */
+#include "glint/cli.h"
+
+#include "glint.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+
+const char *const cli_formats[] = {"rgb565", "rgb888", "grey8", "grey4"};
+const char *const cli_methods[] = {"flat", "gouraud", "x", "phong"};
+
+int cli_usage(const char *command, const char *format, ...)
+{
+    va_list arguments;
+    fprintf(stderr, "%s: ", command);
+    va_start(arguments, format);
+    vfprintf(stderr, format, arguments);
+    va_end(arguments);
+    fprintf(stderr, "; try '%s --help'\n", command);
+    return CLI_BAD_USAGE;
+}
+
+/* Digits up to `stop`, without sign or spaces; returns what follows them, or null. */
+static const char *cli_digits(const char *text, uint32_t *value)
+{
+    uint64_t number = 0;
+    const char *at = text;
+    for (; *at >= '0' && *at <= '9'; at++) {
+        number = number * 10 + (uint64_t)(*at - '0');
+        if (number > UINT32_MAX)
+            return NULL;
+    }
+    *value = (uint32_t)number;
+    return at == text ? NULL : at;
+}
+
+bool cli_number(const char *text, uint32_t low, uint32_t high, uint32_t *value)
+{
+    uint32_t number;
+    const char *end = cli_digits(text, &number);
+    if (!end || *end || number < low || number > high)
+        return false;
+    *value = number;
+    return true;
+}
+
+bool cli_size(const char *text, uint16_t *width, uint16_t *height)
+{
+    uint32_t w, h;
+    const char *x = cli_digits(text, &w);
+    if (!x || *x != 'x' || w < 1 || w > GLINT_MAX_SIZE || !cli_number(x + 1, 1, GLINT_MAX_SIZE, &h))
+        return false;
+    *width = (uint16_t)w;
+    *height = (uint16_t)h;
+    return true;
+}
+
+int cli_choice(const char *text, const char *const names[], int count)
+{
+    for (int i = 0; i < count; i++)
+        if (strcmp(text, names[i]) == 0)
+            return i;
+    return -1;
+}
+
+double cli_clock(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec * 1e3 + (double)now.tv_nsec * 1e-6;
+}

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT */
+/* What the subcommands share: exit codes, and option values read strictly. */
+#ifndef CLI_H
+#define CLI_H
+
+#include "pack/pack.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum cli_exit { CLI_DONE = PACK_OK, CLI_BAD_DATA = PACK_BAD_DATA, CLI_BAD_USAGE = PACK_BAD_USAGE, CLI_IO = PACK_IO };
+
+/* Prints `command: ...; try 'command --help'` on stderr and returns CLI_BAD_USAGE. */
+__attribute__((format(printf, 2, 3))) int cli_usage(const char *command, const char *format, ...);
+
+/* A whole number in low..high, or WIDTHxHEIGHT with both in 1..GLINT_MAX_SIZE. The outputs change only on success. */
+bool cli_number(const char *text, uint32_t low, uint32_t high, uint32_t *value);
+bool cli_size(const char *text, uint16_t *width, uint16_t *height);
+
+/* The index of `text` in names[count], or -1. */
+int cli_choice(const char *text, const char *const names[], int count);
+
+/* The names of enum glint_format and of enum glint_method, in their order. */
+extern const char *const cli_formats[];
+extern const char *const cli_methods[];
+
+/* Milliseconds of an arbitrary origin, steady. */
+double cli_clock(void);
+
+#endif

@@ -1,0 +1,283 @@
+/* SPDX-License-Identifier: MIT */
+#include "glint/cli.h"
+#include "glint/commands.h"
+#include "glint/hashes.h"
+#include "glint/output.h"
+#include "glint/progress.h"
+#include "glint/renderer.h"
+#include "glint/tally.h"
+
+#include <getopt.h>
+#include <stdio.h>
+#include <string.h>
+
+static const char render_name[] = "glint render";
+
+static const char render_help[] =
+    "usage: glint render FILE [OPTION]...\n\n"
+    "Draws a scene or model as a device would.\n\n"
+    "  -o, --output FILE      .png (animated if there are several frames), .apng, .ppm, .y4m, .raw (the bytes as "
+    "drawn),\n"
+    "                         a folder with '/' at its end (numbered PNG files), or - for standard output\n"
+    "      --output-format F  " OUTPUT_FORMATS ", whatever the ending\n"
+    "      --method M         flat, gouraud, x (default) or phong\n"
+    "      --size WxH         in pixels, at most 2048; the default is the camera's\n"
+    "      --frames N         default 1; for .apng, .y4m and folders one loop of the animation\n"
+    "      --fps F            frames a second, default 30; frame i shows the moment i * 1000 / F ms\n"
+    "      --time MS          the moment of the first frame, default 0\n"
+    "      --format F         rgb565, rgb888 (default), grey8 or grey4\n"
+    "      --dither           ordered dither for rgb565 and grey4\n"
+    "      --band-rows N      rows drawn at a time; the default is all. The picture is the same\n"
+    "      --tables N         colour tables of 16 KiB for rgb565, default 0\n"
+    "      --no-plan          compute also what cannot be seen. The picture is the same\n"
+    "      --shininess N      1..1023, replaces every material's exponent\n"
+    "      --stats[=json]     print counts of triangles and pixels, memory and time\n"
+    "      --hash             print '<index> <hash>' for each frame: CRC-32 of its bytes in the chosen format\n"
+    "      --expect FILE      fail at the first frame whose hash is not that of FILE, a list as --hash prints it\n"
+    "      --progress         show a progress bar also where stderr is no terminal\n"
+    "      --help\n";
+
+struct render {
+    struct renderer renderer;
+    struct output output;
+    struct hashes expected;
+    struct tally tally;
+    struct pack_options pack;
+    const char *path, *output_format, *expect;
+    uint32_t frames, rate, time_ms, band_rows;
+    bool stats, json, hash, progress;
+};
+
+enum render_option {
+    RENDER_OUTPUT = 'o',
+    RENDER_HELP = 'h',
+    RENDER_OUTPUT_FORMAT = 256,
+    RENDER_METHOD,
+    RENDER_SIZE,
+    RENDER_FRAMES,
+    RENDER_FPS,
+    RENDER_TIME,
+    RENDER_FORMAT,
+    RENDER_DITHER,
+    RENDER_BAND_ROWS,
+    RENDER_TABLES,
+    RENDER_NO_PLAN,
+    RENDER_SHININESS,
+    RENDER_STATS,
+    RENDER_HASH,
+    RENDER_EXPECT,
+    RENDER_PROGRESS,
+};
+
+static const struct option render_options[] = {{"output", required_argument, NULL, RENDER_OUTPUT},
+                                               {"output-format", required_argument, NULL, RENDER_OUTPUT_FORMAT},
+                                               {"method", required_argument, NULL, RENDER_METHOD},
+                                               {"size", required_argument, NULL, RENDER_SIZE},
+                                               {"frames", required_argument, NULL, RENDER_FRAMES},
+                                               {"fps", required_argument, NULL, RENDER_FPS},
+                                               {"time", required_argument, NULL, RENDER_TIME},
+                                               {"format", required_argument, NULL, RENDER_FORMAT},
+                                               {"dither", no_argument, NULL, RENDER_DITHER},
+                                               {"band-rows", required_argument, NULL, RENDER_BAND_ROWS},
+                                               {"tables", required_argument, NULL, RENDER_TABLES},
+                                               {"no-plan", no_argument, NULL, RENDER_NO_PLAN},
+                                               {"shininess", required_argument, NULL, RENDER_SHININESS},
+                                               {"stats", optional_argument, NULL, RENDER_STATS},
+                                               {"hash", no_argument, NULL, RENDER_HASH},
+                                               {"expect", required_argument, NULL, RENDER_EXPECT},
+                                               {"progress", no_argument, NULL, RENDER_PROGRESS},
+                                               {"help", no_argument, NULL, RENDER_HELP},
+                                               {0}};
+
+/* Stores a number that fits 0..255 or an index; false for what cli_choice() did not find. */
+static bool render_choose(int choice, uint8_t *out)
+{
+    if (choice >= 0)
+        *out = (uint8_t)choice;
+    return choice >= 0;
+}
+
+/* The options that say what to draw, and how; false if `text` is not a value of one. */
+static bool render_value(struct render *render, int option, const char *text)
+{
+    struct glint_config *config = &render->renderer.config;
+    uint32_t number;
+    uint8_t choice;
+    switch (option) {
+    case RENDER_METHOD:
+        if (!render_choose(cli_choice(text, cli_methods, GLINT_METHODS), &choice))
+            return false;
+        render->renderer.method = (enum glint_method_id)choice;
+        return true;
+    case RENDER_FORMAT:
+        return render_choose(cli_choice(text, cli_formats, GLINT_FORMATS), &config->format);
+    case RENDER_SIZE:
+        return cli_size(text, &config->width, &config->height);
+    case RENDER_FRAMES:
+        return cli_number(text, 1, 1000000, &render->frames);
+    case RENDER_FPS:
+        return cli_number(text, 1, 1000, &render->rate);
+    case RENDER_TIME:
+        return cli_number(text, 0, UINT32_MAX, &render->time_ms);
+    case RENDER_BAND_ROWS:
+        return cli_number(text, 1, GLINT_MAX_SIZE, &render->band_rows);
+    case RENDER_TABLES:
+        return cli_number(text, 0, 255, &number) && render_choose((int)number, &config->tables);
+    case RENDER_SHININESS:
+        return cli_number(text, 1, FX_POWER_MAX_EXPONENT, &number) && (render->pack.shininess = number, true);
+    default: /* RENDER_STATS */
+        render->stats = true;
+        render->json = text != NULL;
+        return !text || strcmp(text, "json") == 0;
+    }
+}
+
+static void render_flag(struct render *render, int option)
+{
+    switch (option) {
+    case RENDER_OUTPUT:
+        render->path = optarg;
+        break;
+    case RENDER_OUTPUT_FORMAT:
+        render->output_format = optarg;
+        break;
+    case RENDER_EXPECT:
+        render->expect = optarg;
+        break;
+    case RENDER_DITHER:
+        render->renderer.config.flags |= GLINT_DITHER;
+        break;
+    case RENDER_NO_PLAN:
+        render->renderer.config.flags |= GLINT_NO_PLAN;
+        break;
+    case RENDER_HASH:
+        render->hash = true;
+        break;
+    case RENDER_PROGRESS:
+        render->progress = true;
+        break;
+    }
+}
+
+/* Exit code, or -1 to go on. */
+static int render_parse(struct render *render, int argc, char **argv)
+{
+    int option, index = 0;
+    while ((option = getopt_long(argc, argv, "o:h", render_options, &index)) != -1) {
+        switch (option) {
+        case RENDER_HELP:
+            fputs(render_help, stdout);
+            return CLI_DONE;
+        case '?':
+            return CLI_BAD_USAGE;
+        case RENDER_OUTPUT:
+        case RENDER_OUTPUT_FORMAT:
+        case RENDER_EXPECT:
+        case RENDER_DITHER:
+        case RENDER_NO_PLAN:
+        case RENDER_HASH:
+        case RENDER_PROGRESS:
+            render_flag(render, option);
+            break;
+        default:
+            if (!render_value(render, option, optarg))
+                return cli_usage(render_name, "--%s cannot be '%s'", render_options[index].name, optarg);
+        }
+    }
+    if (argc - optind != 1)
+        return cli_usage(render_name, "one scene or model is needed");
+    if (!render->path && !render->hash && !render->expect && !render->stats)
+        return cli_usage(render_name, "nothing to do: give -o, --hash, --expect or --stats");
+    if (render->path && strcmp(render->path, "-") == 0 && (render->hash || render->stats))
+        return cli_usage(render_name, "--hash and --stats print where -o - writes the picture");
+    return -1;
+}
+
+/* What the command line left open, from the scene. */
+static void render_defaults(struct render *render, const struct scene_header *scene)
+{
+    struct glint_config *config = &render->renderer.config;
+    if (config->width == 0) {
+        config->width = scene->camera.reference_width;
+        config->height = scene->camera.reference_height;
+    }
+    bool whole = render->band_rows == 0 || render->band_rows > config->height;
+    config->band_rows = whole ? config->height : (uint16_t)render->band_rows;
+    if (render->frames == 0 && render->path && output_animates(&render->output))
+        render->frames = (uint32_t)(((uint64_t)scene->duration_ms * render->rate + 500) / 1000);
+    if (render->frames == 0)
+        render->frames = 1;
+}
+
+static uint32_t render_moment(const struct render *render, uint32_t index)
+{
+    return render->time_ms + (uint32_t)((uint64_t)index * 1000 / render->rate);
+}
+
+static int render_frame(struct render *render, uint32_t index)
+{
+    struct hal_display *display = render->path ? &render->output.host.display : NULL;
+    uint32_t time = render_moment(render, index), crc = 0;
+    bool hashing = render->hash || render->expect;
+    int result = 0, code = CLI_DONE;
+    if (display && display->ops->frame_begin)
+        result = display->ops->frame_begin(display, index, render_moment(render, index + 1) - time);
+    if (!result)
+        result = renderer_draw(&render->renderer, time, display, hashing ? &crc : NULL, &render->tally.milliseconds);
+    if (!result && display && display->ops->frame_end)
+        result = display->ops->frame_end(display);
+    if (result)
+        return output_step(&render->output, result);
+    tally_add(&render->tally, &render->renderer.frame.stats);
+    if (render->hash)
+        printf("%u %08x\n", (unsigned)index, (unsigned)crc);
+    if (render->expect)
+        code = hashes_check(&render->expected, index, crc);
+    return code;
+}
+
+static int render_frames(struct render *render)
+{
+    const struct glint_config *config = &render->renderer.config;
+    struct progress progress;
+    int code = render->expect ? hashes_check_count(&render->expected, render->frames) : CLI_DONE;
+    if (!code && render->path)
+        code = output_open(&render->output, config->width, config->height, (enum hal_pixel_format)config->format,
+                           render->frames, render->rate);
+    progress_begin(&progress, render->progress);
+    for (uint32_t i = 0; !code && i < render->frames; i++) {
+        code = render_frame(render, i);
+        progress_step(&progress, i + 1, render->frames);
+    }
+    progress_end(&progress);
+    int closed = output_close(&render->output, code == CLI_DONE);
+    code = code ? code : closed;
+    if (!code && render->stats)
+        tally_print(&render->tally, &render->renderer, render->json);
+    return code;
+}
+
+int cmd_render(int argc, char **argv)
+{
+    struct render render = {.rate = 30, .renderer = {.method = GLINT_X, .config.format = GLINT_RGB888}};
+    struct pack_result packed = {0};
+    argv[0] = (char *)render_name;
+    int code = render_parse(&render, argc, argv);
+    if (code >= 0)
+        return code;
+    if (render.path && (code = output_choose(&render.output, render_name, render.path, render.output_format)))
+        return code;
+    if (render.expect && (code = hashes_read(render.expect, &render.expected)))
+        return code;
+    code = pack_load(argv[optind], &render.pack, &packed);
+    if (!code) {
+        render_defaults(&render, packed.scene);
+        code = renderer_open(&render.renderer, packed.scene);
+        if (!code)
+            code = render_frames(&render);
+        renderer_close(&render.renderer);
+    }
+    pack_free(&packed);
+    hashes_free(&render.expected);
+    return code;
+}

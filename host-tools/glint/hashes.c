@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: MIT */
+#include "glint/hashes.h"
+
+#include "glint/cli.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define HASHES_MAX 1000000u
+
+static int hashes_add(struct hashes *hashes, uint32_t hash, unsigned line)
+{
+    if ((hashes->count & (hashes->count - 1)) == 0) { /* full at each power of two */
+        size_t room = hashes->count ? 2 * hashes->count : 1;
+        uint32_t *hash_room = realloc(hashes->hash, room * sizeof *hash_room);
+        hashes->hash = hash_room ? hash_room : hashes->hash;
+        unsigned *line_room = realloc(hashes->line, room * sizeof *line_room);
+        hashes->line = line_room ? line_room : hashes->line;
+        if (!hash_room || !line_room)
+            return CLI_IO;
+    }
+    hashes->hash[hashes->count] = hash;
+    hashes->line[hashes->count++] = line;
+    return CLI_DONE;
+}
+
+/* One line of the list, its comment cut off. */
+static int hashes_parse(struct hashes *hashes, const char *text, unsigned line)
+{
+    unsigned index, hash;
+    int length = 0, digits = 0;
+    if (text[strspn(text, " \t\r\n")] == 0)
+        return CLI_DONE;
+    if (sscanf(text, "%9u %n%8x%n", &index, &digits, &hash, &length) != 2 || length - digits != 8 ||
+        text[length + strspn(text + length, " \t\r\n")]) {
+        fprintf(stderr, "%s:%u: not '<index> <hash of 8 hexadecimal digits>'\n", hashes->path, line);
+        return CLI_BAD_DATA;
+    }
+    if (index != hashes->count || index >= HASHES_MAX) {
+        fprintf(stderr, "%s:%u: frame %u where frame %zu was to come\n", hashes->path, line, index, hashes->count);
+        return CLI_BAD_DATA;
+    }
+    return hashes_add(hashes, hash, line);
+}
+
+int hashes_read(const char *path, struct hashes *hashes)
+{
+    char text[256];
+    int code = CLI_DONE;
+    *hashes = (struct hashes){.path = path};
+    FILE *file = fopen(path, "r");
+    if (!file) {
+        fprintf(stderr, "%s: %s\n", path, strerror(errno));
+        return CLI_IO;
+    }
+    for (unsigned line = 1; !code && fgets(text, sizeof text, file); line++) {
+        text[strcspn(text, "#")] = 0;
+        code = hashes_parse(hashes, text, line);
+    }
+    if (!code && ferror(file)) {
+        fprintf(stderr, "%s: %s\n", path, strerror(errno));
+        code = CLI_IO;
+    }
+    fclose(file);
+    if (code)
+        hashes_free(hashes);
+    return code;
+}
+
+int hashes_check(const struct hashes *hashes, uint32_t index, uint32_t hash)
+{
+    if (hashes->hash[index] == hash)
+        return CLI_DONE;
+    fprintf(stderr, "%s:%u: frame %u is %08x, expected %08x\n", hashes->path, hashes->line[index], (unsigned)index,
+            (unsigned)hash, (unsigned)hashes->hash[index]);
+    return CLI_BAD_DATA;
+}
+
+int hashes_check_count(const struct hashes *hashes, uint32_t frames)
+{
+    if (hashes->count == frames)
+        return CLI_DONE;
+    fprintf(stderr, "%s: has %zu frames, %u are drawn: frame %zu is the first without its like\n", hashes->path,
+            hashes->count, (unsigned)frames, hashes->count < frames ? hashes->count : (size_t)frames);
+    return CLI_BAD_DATA;
+}
+
+void hashes_free(struct hashes *hashes)
+{
+    free(hashes->hash);
+    free(hashes->line);
+    *hashes = (struct hashes){0};
+}

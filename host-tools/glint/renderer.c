@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT */
+#include "glint/renderer.h"
+
+#include "glint/cli.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+static const struct glint_method *const renderer_methods[GLINT_METHODS] = {
+    [GLINT_FLAT] = &glint_flat, [GLINT_GOURAUD] = &glint_gouraud, [GLINT_X] = &glint_x, [GLINT_PHONG] = &glint_phong};
+
+int renderer_open(struct renderer *renderer, const struct scene_header *scene)
+{
+    struct glint_config *config = &renderer->config;
+    renderer->scene = scene;
+    config->method = renderer_methods[renderer->method];
+    glint_fit_stores(config, scene);
+    config->memory_bytes = glint_memory_needed(config);
+    renderer->memory = malloc(config->memory_bytes);
+    config->memory = renderer->memory;
+    for (int i = 0; i < 2; i++)
+        config->band[i] = renderer->band[i] = malloc(glint_band_bytes(config));
+    if (config->memory_bytes > 0 && renderer->memory && renderer->band[0] && renderer->band[1] &&
+        glint_init(&renderer->frame, config) == 0)
+        return CLI_DONE;
+    fprintf(stderr, "glint: the renderer does not take this configuration, or memory ran out\n");
+    renderer_close(renderer);
+    return CLI_IO;
+}
+
+int renderer_draw(struct renderer *renderer, uint32_t time_ms, struct hal_display *display, uint32_t *crc,
+                  double *milliseconds)
+{
+    size_t row_bytes = glint_row_bytes(&renderer->config);
+    struct glint_band band;
+    double start = cli_clock();
+    /* a checked scene and a configuration that glint_init() took: this cannot fail */
+    glint_frame_begin(&renderer->frame, renderer->scene, time_ms);
+    for (int result = 0; glint_frame_next_band(&renderer->frame, &band) == 1; start = cli_clock()) {
+        *milliseconds += cli_clock() - start;
+        for (unsigned row = 0; crc && row < band.rows; row++)
+            *crc = scene_crc32(*crc, (const uint8_t *)band.pixels + row * band.stride, row_bytes);
+        if (display)
+            result = display->ops->flush(display, band.pixels, band.y, band.rows, band.stride);
+        if (result)
+            return result;
+    }
+    *milliseconds += cli_clock() - start;
+    return 0;
+}
+
+void renderer_close(struct renderer *renderer)
+{
+    free(renderer->memory);
+    free(renderer->band[0]);
+    free(renderer->band[1]);
+    *renderer = (struct renderer){0};
+}

@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: MIT */
+#include "glint/tally.h"
+
+#include "glint/cli.h"
+
+#include <inttypes.h>
+
+void tally_add(struct tally *tally, const struct glint_stats *stats)
+{
+    tally->frames++;
+    tally->triangles += stats->triangles;
+    tally->culled += stats->culled;
+    tally->rejected += stats->rejected;
+    tally->clipped += stats->clipped;
+    tally->dropped += stats->dropped;
+    tally->setups += stats->setups;
+    tally->specular_triangles += stats->specular_triangles;
+    tally->linear_triangles += stats->linear_triangles;
+    for (int m = 0; m < GLINT_METHODS; m++) {
+        tally->drawn[m] += stats->drawn[m];
+        tally->pixels[m] += stats->pixels[m];
+    }
+}
+
+static void tally_count(const char *name, uint64_t count, const char *meaning, bool json)
+{
+    if (json)
+        printf("\"%s\": %" PRIu64 ", ", name, count);
+    else
+        printf("%-20s %" PRIu64 "%s%s\n", name, count, *meaning ? "  " : "", meaning);
+}
+
+static void tally_methods(const char *name, const uint64_t count[GLINT_METHODS], bool json)
+{
+    if (json) {
+        printf("\"%s\": {", name);
+        for (int m = 0; m < GLINT_METHODS; m++)
+            printf("%s\"%s\": %" PRIu64, m ? ", " : "", cli_methods[m], count[m]);
+        printf("}, ");
+        return;
+    }
+    printf("%-20s", name);
+    for (int m = 0; m < GLINT_METHODS; m++)
+        if (count[m])
+            printf(" %" PRIu64 " %s", count[m], cli_methods[m]);
+    printf("\n");
+}
+
+void tally_print(const struct tally *tally, const struct renderer *renderer, bool json)
+{
+    const struct glint_config *config = &renderer->config;
+    double each = tally->frames ? tally->milliseconds / tally->frames : 0;
+    if (json)
+        printf("{\"width\": %u, \"height\": %u, \"format\": \"%s\", \"method\": \"%s\", ", config->width,
+               config->height, cli_formats[config->format], cli_methods[renderer->method]);
+    else
+        printf("%-20s %ux%u %s, %s\n", "picture", config->width, config->height, cli_formats[config->format],
+               cli_methods[renderer->method]);
+    tally_count("frames", tally->frames, "all counts below are sums over them", json);
+    tally_count("band_rows", config->band_rows, "", json);
+    tally_count("band_bytes", glint_band_bytes(config), "one band; two of them let one be sent while the next is drawn",
+                json);
+    tally_count("memory_bytes", config->memory_bytes, "stores, depth and tables beside the bands", json);
+    tally_count("triangles", tally->triangles, "in all objects", json);
+    tally_count("culled", tally->culled, "facing away or without area", json);
+    tally_count("rejected", tally->rejected, "outside the view", json);
+    tally_count("clipped", tally->clipped, "", json);
+    tally_count("dropped", tally->dropped, "no room for them", json);
+    tally_methods("drawn", tally->drawn, json);
+    tally_methods("pixels", tally->pixels, json);
+    tally_count("specular_triangles", tally->specular_triangles, "drawn ones that a highlight can reach", json);
+    tally_count("linear_triangles", tally->linear_triangles, "drawn by x, their bend too small to show", json);
+    tally_count("setups", tally->setups, "", json);
+    printf(json ? "\"ms_per_frame\": %.3f}\n" : "ms_per_frame         %.3f  on this machine, without output\n", each);
+}

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT */
+/* Sums of struct glint_stats over frames, and their print: what --stats shows. */
+#ifndef TALLY_H
+#define TALLY_H
+
+#include "glint/renderer.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+
+struct tally {
+    uint32_t frames;
+    double milliseconds;
+    uint64_t triangles, culled, rejected, clipped, dropped, setups, specular_triangles, linear_triangles;
+    uint64_t drawn[GLINT_METHODS], pixels[GLINT_METHODS];
+};
+
+void tally_add(struct tally *tally, const struct glint_stats *stats);
+
+/* The sums, with what was drawn. */
+void tally_print(const struct tally *tally, const struct renderer *renderer, bool json);
+
+#endif

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Models through assimp: OBJ with MTL, PLY, STL, glTF 1 and 2. The node tree is flattened and everything that is not a
+ * triangle, a normal, a texture coordinate or a material is left out.
+ *
+ * Materials. MTL: Kd, Ks and Ns are diffuse, specular and shininess, ka = kd = 1, ks = 1 if Ks and Ns are there. glTF:
+ * with base colour B, metalness m and roughness r, diffuse = B (1 - m/2), specular = mix(0.04, B, m) (n + 8)/8 clamped
+ * to 1, n = 2/r^4 - 2 (the Blinn-Phong exponent whose lobe is as wide as the microfacets'); linear colours become
+ * display values by the power 1/2.2. Exponents are rounded to 1..1023. A mesh without material is light grey.
+ *
+ * Normals that are missing, and STL's, which are only its facets', are made by normals_smooth().
+ */
+#ifndef IMPORT_H
+#define IMPORT_H
+
+#include "scene/model.h"
+
+#define IMPORT_CREASE 45.0 /* degrees */
+
+/* Adds the file's triangles to mesh `mesh` of the model and its materials to the model; returns an exit code and has
+ * printed a message when it is not 0. */
+int import_file(const char *path, double crease, struct model *model, size_t mesh);
+
+/* Moves the mesh to the origin and scales it so that its bounding sphere there has radius 1. */
+void import_fit(struct model_mesh *mesh);
+
+/* Whether the name ends like a model that import_file() reads. */
+bool import_knows(const char *path);
+
+#endif

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The truth: a renderer in double precision of the packed scene, that is, of the very mesh that the integer renderer
+ * draws (decode.h). Vertices are projected in double and then snapped to 28.4 by floor(16 x + 1/2) relative to the
+ * picture's centre, x right and y down, so that both draw the same pixels: centres at 1/2, top and left edges
+ * inclusive, triangles without positive area on the grid culled. Clipping, depth and shading stay in double, per pixel.
+ *
+ * Beside per-pixel Phong, with the normal interpolated correctly in perspective, it draws what ideal arithmetic makes
+ * of the cheaper methods, which interpolate over the snapped triangle in the picture.
+ */
+#ifndef REFERENCE_H
+#define REFERENCE_H
+
+#include "scene/scene.h"
+
+#include <stdbool.h>
+
+enum reference_method {
+    REFERENCE_PHONG,   /* interpolated normal, normalised per pixel */
+    REFERENCE_GOURAUD, /* the corners' colours, linear */
+    REFERENCE_X,       /* N.L and N.H quadratic, from the corners and the packed bend; power per pixel */
+    REFERENCE_SIX,     /* the same with true normals at the middles of the edges */
+    REFERENCE_METHODS
+};
+
+struct reference_options {
+    unsigned width, height; /* 1..2048; both 0: the camera's reference size */
+    uint32_t time_ms;
+    enum reference_method method;
+    bool grey; /* shade the Rec. 601 luma of the colours, as one channel */
+};
+
+struct reference_image {
+    unsigned width, height, channels;
+    double *value;    /* [height][width][channels], 0..1, not rounded */
+    uint8_t *covered; /* [height][width], 1 where a triangle was drawn */
+    size_t coverage;  /* pixels covered */
+};
+
+/* Renders a checked scene. False: out of memory, and nothing to free. */
+bool reference_render(const struct scene_header *scene, const struct reference_options *options,
+                      struct reference_image *image);
+
+void reference_free(struct reference_image *image);
+
+/* A value as an 8-bit display shows it. */
+uint8_t reference_byte(double value);
+
+#endif

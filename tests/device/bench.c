@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Draws the common benchmark (320x240, RGB565, 16-bit depth, clear included) and counts instructions.
+ *   bench                                every scene, method and band count: one CSV line each
+ *   bench SCENE METHOD BANDS TABLES N    one of them, N frames, nothing printed: for profilers, which look at the calls
+ *                                        of bench_frame()
+ */
+#include "scene/scene.h"
+#include "tests/device/program.h"
+
+#define WIDTH          320u
+#define HEIGHT         240u
+#define MEMORY         (1536u * 1024u)
+#define COUNT(array)   (sizeof array / sizeof array[0])
+#define CALIBRATE_TURN 1000000u
+
+static uint32_t bench_memory[MEMORY / 4], bench_band[WIDTH * HEIGHT * 2 / 4];
+
+int bench_frame(struct glint_frame *frame, const void *scene, uint32_t time_ms);
+
+/* One frame: what the profilers measure. */
+__attribute__((noinline)) int bench_frame(struct glint_frame *frame, const void *scene, uint32_t time_ms)
+{
+    struct glint_band band;
+    int error = glint_frame_begin(frame, scene, time_ms);
+    if (error == 0)
+        while (glint_frame_next_band(frame, &band))
+            ;
+    return error;
+}
+
+static int bench_init(struct glint_frame *frame, struct glint_config *config, const void *scene,
+                      const struct program_method *method, unsigned bands, uint8_t tables)
+{
+    *config = (struct glint_config){.width = WIDTH, .height = HEIGHT, .format = GLINT_RGB565};
+    config->method = method->method;
+    config->tables = tables;
+    config->band_rows = (uint16_t)((HEIGHT + bands - 1) / bands);
+    glint_fit_stores(config, scene);
+    config->band[0] = bench_band;
+    config->memory = bench_memory;
+    config->memory_bytes = sizeof bench_memory;
+    return glint_init(frame, config);
+}
+
+static void bench_fields(struct line *line, const uint32_t *values, unsigned count)
+{
+    for (unsigned i = 0; i < count; i++) {
+        line_text(line, ",");
+        line_decimal(line, values[i]);
+    }
+    line_end(line);
+}
+
+static int bench_one(const struct program_scene *scene, const struct program_method *method, unsigned bands,
+                     uint8_t tables)
+{
+    struct glint_config config;
+    struct glint_frame frame;
+    uint32_t instructions[2] = {0, 0};
+    int error = bench_init(&frame, &config, scene->blob, method, bands, tables);
+    for (int i = 0; i < 2 && error == 0; i++) {
+        program_count_start();
+        error = bench_frame(&frame, scene->blob, 0);
+        instructions[i] = program_count();
+    }
+    struct line line = {.length = 0};
+    if (error != 0) {
+        line_text(&line, "error,");
+        line_decimal(&line, (uint32_t)-error);
+        line_end(&line);
+        return 1;
+    }
+    uint32_t drawn = 0, pixels = 0;
+    for (int i = 0; i < GLINT_METHODS; i++) {
+        drawn += frame.stats.drawn[i];
+        pixels += frame.stats.pixels[i];
+    }
+    line_text(&line, scene->name);
+    line_text(&line, ",");
+    line_text(&line, method->name);
+    const uint32_t values[] = {bands,
+                               tables,
+                               instructions[0],
+                               instructions[1],
+                               (uint32_t)glint_memory_needed(&config),
+                               (uint32_t)glint_band_bytes(&config),
+                               drawn,
+                               pixels,
+                               frame.stats.setups};
+    bench_fields(&line, values, COUNT(values));
+    return 0;
+}
+
+/* A loop of two instructions a turn shows what a tick of the counter is worth. */
+static void bench_calibrate(void)
+{
+#ifdef __arm__
+    uint32_t turns = CALIBRATE_TURN;
+    program_count_start();
+    __asm volatile("1: sub %0, %0, #1\n cmp %0, #0\n bne 1b" : "+l"(turns) : : "cc");
+    uint32_t counted = program_count();
+    struct line line = {.length = 0};
+    line_text(&line, "# calibration: a loop of ");
+    line_decimal(&line, 3 * CALIBRATE_TURN);
+    line_text(&line, " instructions is counted as ");
+    line_decimal(&line, counted);
+    line_end(&line);
+#endif
+}
+
+int program_main(int argc, char **argv)
+{
+    if (argc < 6) {
+        int bad = 0;
+        bench_calibrate();
+        for (unsigned s = 0; s < program_scene_count; s++)
+            for (unsigned m = 0; m < GLINT_METHODS; m++)
+                for (uint8_t bands = 1; bands <= 8; bands += 7)
+                    for (uint8_t tables = 0; tables <= (m == GLINT_X); tables++)
+                        bad |= bench_one(&program_scenes[s], &program_methods[m], bands, tables);
+        return bad;
+    }
+    struct glint_config config;
+    struct glint_frame frame;
+    for (unsigned s = 0; s < program_scene_count; s++)
+        for (unsigned m = 0; m < GLINT_METHODS; m++) {
+            const struct program_method *method = &program_methods[m];
+            const void *scene = program_scenes[s].blob;
+            if (!text_equal(argv[1], program_scenes[s].name) || !text_equal(argv[2], method->name))
+                continue;
+            if (bench_init(&frame, &config, scene, method, text_number(argv[3]), (uint8_t)text_number(argv[4])) != 0)
+                return 1;
+            for (uint32_t i = text_number(argv[5]); i; i--)
+                if (bench_frame(&frame, scene, 0) != 0)
+                    return 1;
+            return 0;
+        }
+    program_write("bench: no such scene or method\n");
+    return 2;
+}

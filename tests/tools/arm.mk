@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: MIT
+# The renderer and the measuring programs for Cortex-M: build/<cpu>/... with stack use and call graph beside each object.
+include boards/mps2/board.mk boards/microbit/board.mk
+
+ARM := arm-none-eabi-
+CPUS := m0plus m3 m4
+CPU_m0 := -mcpu=cortex-m0
+CPU_m0plus := -mcpu=cortex-m0plus
+CPU_m3 := -mcpu=cortex-m3
+CPU_m4 := -mcpu=cortex-m4
+ARM_OPT := -O2
+ARM_FLAGS := -mthumb -mfloat-abi=soft -std=c11 $(WARN) $(INCLUDE) $(ARM_OPT) -g -ffreestanding -ffunction-sections \
+	-fdata-sections -fno-tree-loop-distribute-patterns -fstack-usage -fcallgraph-info=su
+ARM_LINK := -mthumb -nostdlib -Wl,--gc-sections -Wl,--fatal-warnings
+DEVICE_SRC := tests/device/program.c tests/device/program_device.c
+SCENES := $(sort $(GOLDEN_SCENES) $(BENCH_SCENES))
+
+scene_file = $(firstword $(wildcard tests/golden/$(1).json) tests/scenes/$(1).json)
+define scene_rule
+$(SCENE_DIR)/$(1).c: $(call scene_file,$(1)) $(PACK)
+	$$(call say,PACK,$$<)
+	@mkdir -p $$(@D)
+	$$(Q)$(PACK) pack $$< -o $$@ --name scene_$(subst -,_,$(1)) >/dev/null
+endef
+$(foreach s,$(SCENES),$(eval $(call scene_rule,$(s))))
+
+$(SCENE_DIR)/golden_list.c: tests/tools/scene_list.sh tests/tools/sources.mk
+	@mkdir -p $(@D)
+	$(Q)tests/tools/scene_list.sh $(GOLDEN_SCENES) >$@
+$(SCENE_DIR)/golden_small_list.c: tests/tools/scene_list.sh
+	@mkdir -p $(@D)
+	$(Q)tests/tools/scene_list.sh tiny >$@
+$(SCENE_DIR)/bench_list.c: tests/tools/scene_list.sh tests/tools/sources.mk
+	@mkdir -p $(@D)
+	$(Q)tests/tools/scene_list.sh $(BENCH_SCENES) >$@
+
+GOLDEN_C := tests/golden/golden.c $(SCENE_DIR)/golden_list.c $(GOLDEN_SCENES:%=$(SCENE_DIR)/%.c)
+GOLDEN_SMALL_C := tests/golden/golden.c $(SCENE_DIR)/golden_small_list.c $(SCENE_DIR)/tiny.c
+BENCH_C := tests/device/bench.c $(SCENE_DIR)/bench_list.c $(BENCH_SCENES:%=$(SCENE_DIR)/%.c)
+
+define cpu_rules
+ARM_OBJ_$(1) := $$(CORE_SRC:%.c=build/$(1)/%.o)
+build/$(1)/%.o: %.c
+	$$(call say,CC-$(1),$$<)
+	@mkdir -p $$(@D)
+	$$(Q)$$(ARM)gcc $$(CPU_$(1)) $$(ARM_FLAGS) $$(DEFS_$(1)) -MMD -MP -c $$< -o $$@
+-include $$(shell find build/$(1) -name '*.d' 2>/dev/null)
+endef
+$(foreach c,m0 $(CPUS),$(eval $(call cpu_rules,$(c))))
+DEFS_m0 := -DGOLDEN_SMALL
+DEFS_m0plus := -DPROGRAM_COUNTS
+DEFS_m3 := -DPROGRAM_COUNTS
+DEFS_m4 := -DPROGRAM_COUNTS
+
+# $(1) CPU, $(2) program, $(3) its sources, $(4) the board's sources, $(5) the board's linker script
+define image_rule
+build/$(1)/$(2).elf: $$(patsubst %.c,build/$(1)/%.o,$(3) $$(DEVICE_SRC) $(4)) $$(ARM_OBJ_$(1)) $(5) boards/cortexm.ld
+	$$(call say,LINK,$$@)
+	$$(Q)$$(ARM)gcc $$(CPU_$(1)) $$(ARM_LINK) -T $(5) -Wl,-Map=$$(@:.elf=.map) $$(filter %.o,$$^) -lgcc -o $$@
+endef
+$(foreach c,$(CPUS),$(eval $(call image_rule,$(c),golden,$(GOLDEN_C),$(MPS2_HAL),$(MPS2_LINK))))
+$(foreach c,$(CPUS),$(eval $(call image_rule,$(c),bench,$(BENCH_C),$(MPS2_HAL),$(MPS2_LINK))))
+$(eval $(call image_rule,m0,golden,$(GOLDEN_SMALL_C),$(MICROBIT_HAL),$(MICROBIT_LINK)))
+
+# The same programs on the desktop, in this configuration's compiler and level.
+HOST_PROGRAM := tests/device/program.c tests/device/program_host.c
+$(BUILD)/golden: $(GOLDEN_C) $(HOST_PROGRAM) $(CORE_LIB)
+	$(call say,LINK,$@)
+	$(Q)$(CC) $(CORE_FLAGS) $(OPT) $(CFLAGS) $^ -o $@
+$(BUILD)/bench/bench: $(BENCH_C) $(HOST_PROGRAM) $(CORE_LIB)
+	$(call say,LINK,$@)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CORE_FLAGS) $(OPT) -g $(CFLAGS) $^ -o $@
+
+QEMU = qemu-system-arm $(QEMU_$(1)) -display none -serial none -monitor none -chardev file,id=out,path=/dev/stdout \
+	-semihosting-config enable=on,target=native,chardev=out

@@ -1,0 +1,84 @@
+#!/bin/bash
+# SPDX-License-Identifier: MIT
+# Finds which Debian packages a target lacks, says so and installs them. `deps.sh demo|test`; DEPS=manual only prints
+# the command and fails if something is missing.
+set -u
+
+demo="gcc pkg-config libc6-dev libpng-dev libjansson-dev libassimp-dev zlib1g-dev"
+test="$demo libcmocka-dev clang clang-runtime clang-format clang-tidy cppcheck valgrind python3 gcc-arm-none-eabi qemu-system-arm
+      assimp-testmodels"
+
+# A tool that came by another way than apt serves as well; a library needs its package or its pkg-config file.
+have() {
+    case $1 in
+    gcc-arm-none-eabi) command -v arm-none-eabi-gcc && command -v arm-none-eabi-nm ;;
+    libpng-dev) pkg-config --exists libpng ;;
+    libjansson-dev) pkg-config --exists jansson ;;
+    libassimp-dev) pkg-config --exists assimp ;;
+    libcmocka-dev) pkg-config --exists cmocka ;;
+    zlib1g-dev) pkg-config --exists zlib ;;
+    libc6-dev) [ -e /usr/include/stdio.h ] ;;
+    clang-runtime) [ -e "$(clang -print-file-name="libclang_rt.asan-$(uname -m).a")" ] ;;
+    assimp-testmodels) [ -d /usr/share/assimp/models ] ;;
+    *) command -v "$1" ;;
+    esac >/dev/null 2>&1
+}
+
+# The sanitizers' package carries clang's version in its name.
+name_of() {
+    [ "$1" = clang-runtime ] || { echo "$1"; return; }
+    major=$(apt-cache depends clang 2>/dev/null | sed -n 's/.*Depends: clang-\([0-9]*\)$/\1/p')
+    echo "libclang-rt-${major:-14}-dev"
+}
+
+missing_of() {
+    for package in "$@"; do
+        have "$package" || printf ' %s' "$(name_of "$package")"
+    done
+}
+
+case ${1-} in
+demo) wanted=$demo ;;
+test) wanted=$test ;;
+*)
+    echo "usage: deps.sh demo|test" >&2
+    exit 2
+    ;;
+esac
+# shellcheck disable=SC2086
+look() { missing=$(missing_of $wanted); }
+look
+[ -z "$missing" ] && exit 0
+
+root=
+[ "$(id -u)" = 0 ] || root="sudo env DEBIAN_FRONTEND=noninteractive "
+export DEBIAN_FRONTEND=noninteractive
+command="${root}apt-get install -y --no-install-recommends"
+echo "missing packages:$missing" >&2
+if [ "${DEPS-}" = manual ]; then
+    echo "install them with: $command$missing" >&2
+    exit 1
+fi
+give_up() {
+    echo "$1" >&2
+    echo "install these packages by hand, then run make again:$missing" >&2
+    exit 1
+}
+run() {
+    echo "+ $*" >&2
+    "$@" >&2
+}
+command -v apt-get >/dev/null || give_up "this system has no apt-get: the names are those of Debian"
+[ -z "$root" ] || command -v sudo >/dev/null || give_up "not root, and there is no sudo"
+
+# shellcheck disable=SC2086
+install() { look && run $command $missing; }
+update() { run ${root}apt-get update; }
+if ! apt-cache show gcc >/dev/null 2>&1; then # no package lists yet
+    update
+    install || give_up "apt-get failed: no network, or no right to install?"
+elif ! install; then
+    update && install || give_up "apt-get failed: no network, or no right to install?"
+fi
+look
+[ -z "$missing" ] || give_up "apt-get succeeded, and yet something is not found"

@@ -1,0 +1,47 @@
+#!/bin/bash
+# SPDX-License-Identifier: MIT
+# size.sh CPU...: flash (code and constants) and static RAM of the renderer by part, then the packed scenes.
+set -u
+for cpu in "$@"; do
+    echo "$cpu"
+    find "build/$cpu/firmware" -name '*.o' -exec arm-none-eabi-size {} + | awk -v root="build/$cpu/firmware/" '
+        BEGIN { printf "  %-12s %8s %8s\n", "part", "flash", "RAM" }
+        index($6, root) == 1 {
+            part = substr($6, length(root) + 1)
+            if (!sub(/\/.*/, "", part)) part = "frame"
+            flash[part] += $1 + $2; ram[part] += $2 + $3; all += $1 + $2; all_ram += $2 + $3
+        }
+        END {
+            count = split("fixed scene geometry plan shade raster stream frame", order, " ")
+            for (i = 1; i <= count; i++)
+                if (order[i] in flash) printf "  %-12s %8d %8d\n", order[i], flash[order[i]], ram[order[i]]
+            printf "  %-12s %8d %8d\n", "in all", all, all_ram
+        }'
+done
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+printf '\nflash of a program that draws by one method, mem* and libgcc included\n  %-12s %8s %8s %8s %8s\n' "" flat gouraud x phong
+for cpu in "$@"; do
+    case $cpu in m0plus) flags=-mcpu=cortex-m0plus ;; *) flags=-mcpu=cortex-$cpu ;; esac
+    printf '  %-12s' "$cpu"
+    for method in flat gouraud x phong; do
+        echo "#include \"glint.h\"
+            int entry(struct glint_frame *f, struct glint_config *c, const void *scene, struct glint_band *b);
+            int entry(struct glint_frame *f, struct glint_config *c, const void *scene, struct glint_band *b)
+            {
+                c->method = &glint_$method;
+                glint_fit_stores(c, scene);
+                return glint_scene_check(scene, 1) + glint_init(f, c) + glint_frame_begin(f, scene, 0) +
+                       glint_frame_next_band(f, b);
+            }" >"$work/entry.c"
+        # shellcheck disable=SC2046
+        arm-none-eabi-gcc $flags -mthumb -std=c11 -Os -Ifirmware -ffreestanding -nostdlib -Wl,-e,entry,--gc-sections \
+            "$work/entry.c" $(find "build/$cpu/firmware" -name '*.o') "build/$cpu/hal/cortexm/mem.o" -lgcc -o "$work/entry.elf" &&
+            printf ' %8d' "$(arm-none-eabi-size "$work/entry.elf" | awk 'NR == 2 { print $1 + $2 }')"
+    done
+    echo
+done
+echo
+echo "scenes"
+arm-none-eabi-size build/m3/build/scenes/*.o | awk 'NR > 1 && $6 !~ /_list/ {
+    name = $6; sub(/.*\//, "", name); sub(/\.o$/, "", name); printf "  %-20s %8d\n", name, $1 + $2 }'

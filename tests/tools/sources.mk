@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: MIT
+# What there is to build.
+PARTS := fixed scene geometry plan shade raster
+CORE_SRC := $(wildcard firmware/*.c $(PARTS:%=firmware/%/*.c))
+HOST_SRC := $(wildcard hal/host/*.c host-tools/*/*.c)
+UNIT_SRC := $(wildcard tests/unit/test_*.c)
+EXHAUSTIVE_SRC := $(wildcard tests/exhaustive/*.c)
+CLI_TESTS := $(wildcard tests/cli/*.sh)
+ALL_SRC = $(shell find firmware hal host-tools boards tests -name '*.[ch]')
+
+# The scenes as C, each a symbol scene_<name>; and the lists that the golden and the bench programs walk.
+SCENE_DIR := build/scenes
+GOLDEN_SCENES := tiny clip torus288 torus800 sphere690 torus288-persp torus800-persp sphere690-persp bench-torus288 demo
+BENCH_SCENES := bench-torus288 bench-torus4000
+PACK := build/glint
