@@ -10,8 +10,9 @@ static const int16_t *record(const struct glint_frame *f, uint32_t vertex)
     return f->vertices + vertex * f->vertex_stride;
 }
 
-/* Notes a triangle to be drawn if it covers a row of the picture. Corners clockwise on the screen or not. */
-static void list_triangle(struct glint_frame *f, const int16_t *const p[3], unsigned object, unsigned index, int clipped)
+/* Notes a triangle to be drawn if it faces the eye and covers a pixel's row and column of the picture. */
+static inline void list_triangle(struct glint_frame *f, const int16_t *const p[3], unsigned object, unsigned index,
+                                 int clipped)
 {
     /* Differences of |p| <= GUARD are at most 2^15: products 2^30, the determinant at most 2^30. Front faces are
      * counter-clockwise with y up, so negative with y down. */
@@ -21,8 +22,7 @@ static void list_triangle(struct glint_frame *f, const int16_t *const p[3], unsi
         f->stats.culled++;
         return;
     }
-    int32_t top = (y1 < y2 ? y1 : y2), bottom = y1 > y2 ? y1 : y2;
-    int32_t left = (x1 < x2 ? x1 : x2), right = x1 > x2 ? x1 : x2;
+    int32_t top = y1 < y2 ? y1 : y2, bottom = y1 > y2 ? y1 : y2, left = x1 < x2 ? x1 : x2, right = x1 > x2 ? x1 : x2;
     int32_t down = y0 + 8 * f->config.height, across = x0 + 8 * f->config.width;
     int32_t first = edges_first(down + (top < 0 ? top : 0)), last = edges_first(down + (bottom > 0 ? bottom : 0));
     int32_t from = edges_first(across + (left < 0 ? left : 0)), to = edges_first(across + (right > 0 ? right : 0));
@@ -108,10 +108,10 @@ static void list_object(struct glint_frame *f, const struct transform *transform
     const struct scene_mesh *mesh = object->mesh;
     const struct scene_triangle *triangle = scene_at(f->scene, mesh->triangles);
     const int16_t *records = record(f, object->first_vertex);
-    for (uint32_t i = 0; i < mesh->triangle_count; i++, triangle++) {
-        const int16_t *p[3];
-        for (int k = 0; k < 3; k++)
-            p[k] = records + triangle->corner[k] * (uint32_t)f->vertex_stride;
+    const uint32_t stride = f->vertex_stride, count = mesh->triangle_count;
+    for (uint32_t i = 0; i < count; i++, triangle++) {
+        const int16_t *const p[3] = {records + triangle->corner[0] * stride, records + triangle->corner[1] * stride,
+                                     records + triangle->corner[2] * stride};
         if (p[0][VERTEX_X] == VERTEX_UNPLACED || p[1][VERTEX_X] == VERTEX_UNPLACED || p[2][VERTEX_X] == VERTEX_UNPLACED)
             clip(f, transform, scene_at(f->scene, mesh->vertices), triangle, index, i);
         else
@@ -174,6 +174,7 @@ int glint_frame_begin(struct glint_frame *f, const void *scene, uint32_t time_ms
     f->band_index = 0;
     f->stats = (struct glint_stats){0};
     f->raster->surface_material = NO_MATERIAL;
+    f->raster->input.surface = &f->raster->surface;
 
     struct view view;
     view_setup(&view, header, f->config.width, f->config.height);
@@ -189,37 +190,37 @@ int glint_frame_begin(struct glint_frame *f, const void *scene, uint32_t time_ms
 /* Turns a listed triangle into the rasteriser's input: corners 0, 2, 1, which is clockwise with y down. */
 static void gather(struct glint_frame *f, const struct triangle_ref *ref)
 {
-    static const uint8_t turn[3] = {0, 2, 1};
-    struct shade_input *in = &f->raster->input;
+    struct raster *r = f->raster;
+    struct shade_input *in = &r->input;
     const struct object_state *object = &f->objects[ref->object];
     const struct clipped_triangle *piece = ref->clipped ? &f->clipped[ref->index] : 0;
-    const struct scene_triangle *triangle = (const struct scene_triangle *)scene_at(f->scene, object->mesh->triangles) +
-                                            (piece ? piece->source : ref->index);
-    const struct scene_vertex *vertices = scene_at(f->scene, object->mesh->vertices);
+    const struct scene_triangle *triangle = scene_at(f->scene, object->mesh->triangles);
+    triangle += piece ? piece->source : ref->index;
     in->object = object;
-    in->surface = &f->raster->surface;
+    in->triangle = triangle;
+    in->vertices = scene_at(f->scene, object->mesh->vertices);
     in->weight = 0;
-    for (int k = 0; k < 3; k++) {
-        unsigned corner = triangle->corner[turn[k]];
-        const int16_t *r = record(f, (uint32_t)object->first_vertex + corner);
-        in->place[k] = r;
-        in->lights[k] = r + VERTEX_LIGHTS;
-        in->normal[k] = vertices[corner].normal;
-    }
-    in->bend[0] = triangle->bend[2];
-    in->bend[1] = triangle->bend[1];
-    in->bend[2] = triangle->bend[0];
+    /* Once a triangle and worth unrolling. */
+    const uint32_t stride = f->vertex_stride;
+    const int16_t *records = record(f, object->first_vertex);
+    in->place[0] = records + triangle->corner[0] * stride;
+    in->place[1] = records + triangle->corner[2] * stride;
+    in->place[2] = records + triangle->corner[1] * stride;
+    in->lights[0] = in->place[0] + VERTEX_LIGHTS;
+    in->lights[1] = in->place[1] + VERTEX_LIGHTS;
+    in->lights[2] = in->place[2] + VERTEX_LIGHTS;
     if (piece) {
         for (int k = 0; k < 3; k++) {
-            in->place[k] = piece->place[turn[k]];
+            in->place[k] = piece->place[SHADE_TURN(k)];
             for (int i = 0; i < 3; i++)
-                f->raster->weight[k][i] = piece->weight[turn[k]][turn[i]];
+                r->weight[k][i] = piece->weight[SHADE_TURN(k)][SHADE_TURN(i)];
         }
-        in->weight = (const uint16_t(*)[3])f->raster->weight;
+        in->weight = (const uint16_t(*)[3])r->weight;
     }
-    if (f->raster->surface_material != triangle->material) {
-        f->raster->surface_material = triangle->material;
-        surface_setup(&f->raster->surface, f->scene, scene_materials(f->scene) + triangle->material, &f->raster->palette);
+    if (r->surface_material != triangle->material) {
+        r->surface_material = triangle->material;
+        surface_setup(&r->surface, f->scene, scene_materials(f->scene) + triangle->material, &r->palette);
+        raster_find_table(r);
     }
 }
 

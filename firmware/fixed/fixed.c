@@ -21,8 +21,8 @@ static const uint8_t recip_table[256] = {
 };
 
 /*
- * x = 2^23 x0 estimates X = 2^63 / m with 1 - x m / 2^63 = e, |e| < 1.47 * 2^-9, and X = x (1 + e)(1 + e^2) / (1 -
- * e^4). x0 has so few bits that the low 32 of x0 * m hold e exactly: no multiply here is wider than 32 bits.
+ * x = 2^23 x0 estimates X = 2^63 / m with 1 - x m / 2^63 = e, |e| < 1.47 * 2^-9, and X = x (1 + e + e^2 + e^3 + ...).
+ * x0 has so few bits that the low 32 of x0 * m hold e exactly: the first product need not be wider.
  */
 FX_WRAPS uint32_t fx_recip_norm(uint32_t m)
 {
@@ -38,8 +38,7 @@ FX_WRAPS uint32_t fx_recip_norm(uint32_t m)
     return ((uint32_t)x0 << 23) + (uint32_t)fx_mulhi_s32(x0 << 16, e);
 }
 
-/* round(sqrt(2^23 / (2 j + 1))), j = i + 64: 2^-23 of the function at the middle of the
- * i-th 192nd of [2^30, 2^32). */
+/* round(sqrt(2^23 / (2 i + 129))): 2^-23 of the function at the middle of the i-th 192nd of [2^30, 2^32). */
 static const uint8_t rsqrt_table[192] = {
     255, 253, 251, 249, 247, 246, 244, 242, 241, 239, 237, 236, 234, 233, 231, 230, 228, 227, 225, 224, 223, 221,
     220, 219, 218, 216, 215, 214, 213, 212, 211, 210, 208, 207, 206, 205, 204, 203, 202, 201, 200, 199, 198, 198,
@@ -58,9 +57,9 @@ FX_WRAPS uint32_t fx_rsqrt_norm(uint32_t m)
     int32_t y0 = rsqrt_table[(m >> 24) - 64];
     /* 2^37 (1 - y0^2 m / 2^46) modulo 2^32, |h| < 1.4 * 2^30 */
     int32_t h = (int32_t)(0u - (uint32_t)(y0 * y0) * (m >> 9));
-    int32_t s = h >> 16;                                  /* |s| < 1.4 * 2^14 */
-    h += 3 * (s * s) >> 7;                                /* 3 s^2 < 1.5 * 2^30 */
-    return (uint32_t)((y0 << 23) + (y0 * (h >> 8) >> 7)); /* |h| < 1.5 * 2^30: y0 (h >> 8) < 1.5 * 2^30 */
+    int32_t s = h >> 16;                                          /* |s| < 1.4 * 2^14 */
+    h += 3 * (s * s) >> 7;                                        /* 3 s^2 < 1.5 * 2^30 */
+    return ((uint32_t)y0 << 23) + (uint32_t)(y0 * (h >> 8) >> 7); /* |h| < 1.5 * 2^30: y0 (h >> 8) < 1.5 * 2^30 */
 }
 
 /*

@@ -39,9 +39,9 @@ typedef int32_t q22_t;   /* display units (256 = full intensity), +-512; the sam
 typedef int32_t q30_t;   /* full precision unit values, +-2 */
 typedef int32_t q28_4_t; /* screen coordinates, 1/16 pixel */
 
-/* A constant num/den in Qn, rounded to nearest; den > 0. */
+/* A constant num/den in Qn, rounded to nearest, halves away from 0; den > 0. */
 #define FX_Q(n, num, den) \
-    ((int32_t)((((int64_t)(num) << ((n) + 1)) + ((num) < 0 ? -(den) : (den))) / (2 * (int64_t)(den))))
+    ((int32_t)((((int64_t)(num) * ((int64_t)2 << (n))) + ((num) < 0 ? -(den) : (den))) / (2 * (int64_t)(den))))
 #define Q14(num, den) ((q14_t)FX_Q(14, num, den))
 #define Q15(num, den) FX_Q(15, num, den)
 #define Q16(num, den) FX_Q(16, num, den)
@@ -139,19 +139,20 @@ static inline void fx_divmod_floor(int32_t num, int32_t den, int32_t *quotient, 
 }
 
 /*
- * 2^63 / m for m in [2^31, 2^32): in [2^31, 2^32 - 1], within 2^-30.4 of the true value, which is exceeded by at most
- * 2^-30.7. A 256-byte table, no division: 19 instructions with the call on Cortex-M4, 36 on M0+.
+ * 2^63 / m for m in [2^31, 2^32): in [2^31, 2^32 - 1], within 2^-30.46 of the true value (worst at 0xf7ffbdd0), which
+ * is exceeded by at most 2^-30.72. A 256-byte table, no division: 19 instructions with the call on Cortex-M4, 36 on
+ * M0+.
  */
 uint32_t fx_recip_norm(uint32_t m);
 
 /*
- * 2^46 / sqrt(m) for m in [2^30, 2^32): in (2^30, 2^31], within 2^-20.6 of the true value. With v = m / 2^30 in [1, 4)
+ * 2^46 / sqrt(m) for m in [2^30, 2^32): in (2^30, 2^31], within 2^-20.64 of the true value. With v = m / 2^30 in [1, 4)
  * that is 1/sqrt(v) in Q31. A 192-byte table: 16 instructions with the call on Cortex-M4, 25 on M0+.
  */
 uint32_t fx_rsqrt_norm(uint32_t m);
 
 /*
- * Sine and cosine in Q30 of an angle of turn / 2^32 turns, within 1.3 * 2^-30 and never beyond +-1; odd and even as
+ * Sine and cosine in Q30 of an angle of turn / 2^32 turns, within 1.19 * 2^-30 and never beyond +-1; odd and even as
  * they should be; exact at multiples of a quarter turn.
  */
 q30_t fx_sin(uint32_t turn);

@@ -18,34 +18,38 @@ static uint32_t spans(struct raster *r, struct edges *e)
     uint32_t hidden = 0, covered = 0;
     uint32_t z = pz->f + pz->e * (uint32_t)(e->row - r->setup.plane.oy);
     uint32_t row = (uint32_t)(e->row - r->y0) * r->width;
-    do {
-        int x0, x1;
-        if (raster_span(r, e, &x0, &x1)) {
-            uint32_t vz = z + dz * (uint32_t)(x0 - r->setup.plane.ox);
-            uint16_t *pixel = (uint16_t *)(void *)r->pixels + row + x0, *depth = r->depth + row + x0;
-            uint16_t *end = pixel + (x1 - x0);
-            covered += (uint32_t)(x1 - x0);
-            do {
-                uint32_t nearer = vz >> 16;
-                if (nearer > *depth) {
-                    *depth = (uint16_t)nearer;
-                    *pixel = colour;
-                } else {
-                    hidden++;
-                }
-                vz += dz;
-                depth++;
-            } while (++pixel < end);
-        }
-        z += pz->e;
-        row += r->width;
-    } while (edges_next(e));
+    for (int rows; (rows = raster_spans(r, e)) != 0;) {
+        const struct span *span = r->span;
+        do {
+            int n = span->x1 - span->x0;
+            if (n > 0) {
+                uint32_t vz = z + dz * (uint32_t)(span->x0 - r->setup.plane.ox);
+                uint16_t *pixel = (uint16_t *)(void *)r->pixels + row + span->x0, *depth = r->depth + row + span->x0;
+                uint16_t *end = pixel + n;
+                covered += (uint32_t)n;
+                do {
+                    uint32_t nearer = vz >> 16;
+                    if (nearer > *depth) {
+                        *depth = (uint16_t)nearer;
+                        *pixel = colour;
+                    } else {
+                        hidden++;
+                    }
+                    vz += dz;
+                    depth++;
+                } while (++pixel < end);
+            }
+            z += pz->e;
+            row += r->width;
+            span++;
+        } while (--rows);
+    }
     return covered - hidden;
 }
 
 static uint32_t draw(struct raster *r, struct edges *e)
 {
-    if (r->setup.plane.exact || r->format != GLINT_RGB565 || r->dither)
+    if (r->setup.plane.sliver || r->format != GLINT_RGB565 || r->dither)
         return raster_runs(r, e, shade_run);
     return spans(r, e);
 }

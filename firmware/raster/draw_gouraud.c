@@ -5,7 +5,7 @@
 static void shade_run(struct raster *r, int x, int y, int n)
 {
     for (unsigned c = 0; c < r->palette.channels; c++) {
-        plane_values(&r->setup.plane, &r->setup.channel[c], 0, x, y, n, r->value[0]);
+        plane_values(&r->setup.plane, &r->setup.channel[c], x, y, n, r->value[0]);
         for (int i = 0; i < n; i++) {
             uint32_t value = (uint32_t)r->value[0][i];
             r->sum[i][c] = value >= 0xff800000u ? 0 : value >> 9;
@@ -23,41 +23,45 @@ static uint32_t spans(struct raster *r, struct edges *e)
     uint32_t z = pz->f + pz->e * j, red = pr->f + pr->e * j + half, green = pg->f + pg->e * j + half,
              blue = pb->f + pb->e * j + half;
     uint32_t row = (uint32_t)(e->row - r->y0) * r->width;
-    do {
-        int x0, x1;
-        if (raster_span(r, e, &x0, &x1)) {
-            uint32_t i = (uint32_t)(x0 - r->setup.plane.ox);
-            uint32_t vz = z + dz * i, vr = red + dr * i, vg = green + dg * i, vb = blue + db * i;
-            uint16_t *pixel = (uint16_t *)(void *)r->pixels + row + x0, *depth = r->depth + row + x0;
-            uint16_t *end = pixel + (x1 - x0);
-            covered += (uint32_t)(x1 - x0);
-            do {
-                uint32_t nearer = vz >> 16;
-                if (nearer > *depth) {
-                    *depth = (uint16_t)nearer;
-                    *pixel = (uint16_t)(vr >> 24 << 11 | vg >> 24 << 5 | vb >> 24);
-                } else {
-                    hidden++;
-                }
-                vz += dz;
-                vr += dr;
-                vg += dg;
-                vb += db;
-                depth++;
-            } while (++pixel < end);
-        }
-        z += pz->e;
-        red += pr->e;
-        green += pg->e;
-        blue += pb->e;
-        row += r->width;
-    } while (edges_next(e));
+    for (int rows; (rows = raster_spans(r, e)) != 0;) {
+        const struct span *span = r->span;
+        do {
+            int n = span->x1 - span->x0;
+            if (n > 0) {
+                uint32_t i = (uint32_t)(span->x0 - r->setup.plane.ox);
+                uint32_t vz = z + dz * i, vr = red + dr * i, vg = green + dg * i, vb = blue + db * i;
+                uint16_t *pixel = (uint16_t *)(void *)r->pixels + row + span->x0, *depth = r->depth + row + span->x0;
+                uint16_t *end = pixel + n;
+                covered += (uint32_t)n;
+                do {
+                    uint32_t nearer = vz >> 16;
+                    if (nearer > *depth) {
+                        *depth = (uint16_t)nearer;
+                        *pixel = (uint16_t)(vr >> 24 << 11 | vg >> 24 << 5 | vb >> 24);
+                    } else {
+                        hidden++;
+                    }
+                    vz += dz;
+                    vr += dr;
+                    vg += dg;
+                    vb += db;
+                    depth++;
+                } while (++pixel < end);
+            }
+            z += pz->e;
+            red += pr->e;
+            green += pg->e;
+            blue += pb->e;
+            row += r->width;
+            span++;
+        } while (--rows);
+    }
     return covered - hidden;
 }
 
 static uint32_t draw(struct raster *r, struct edges *e)
 {
-    if (r->setup.plane.exact || r->format != GLINT_RGB565 || r->dither)
+    if (r->setup.plane.sliver || r->format != GLINT_RGB565 || r->dither)
         return raster_runs(r, e, shade_run);
     return spans(r, e);
 }

@@ -34,7 +34,7 @@ static void shade_run(struct raster *r, int x, int y, int n)
     const struct surface *s = &r->surface;
     unsigned channels = s->channels;
     for (int axis = 0; axis < 3; axis++)
-        plane_values(&r->setup.plane, &r->setup.channel[axis], 0, x, y, n, r->value[axis]);
+        plane_values(&r->setup.plane, &r->setup.channel[axis], x, y, n, r->value[axis]);
     normalise(r, n);
     for (int i = 0; i < n; i++)
         for (unsigned c = 0; c < channels; c++)

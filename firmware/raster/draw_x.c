@@ -13,7 +13,7 @@ static void shade_run(struct raster *r, int x, int y, int n)
             r->sum[i][c] = s->base[c];
     for (unsigned l = 0; l < s->lights; l++) {
         if (setup->diffuse_lights >> l & 1) {
-            plane_values(&setup->plane, &setup->channel[2 * l], setup->quadratic, x, y, n, value);
+            plane_values(&setup->plane, &setup->channel[2 * l], x, y, n, value);
             for (int i = 0; i < n; i++) {
                 uint32_t diffuse = value[i] > 0 ? (uint32_t)value[i] >> 15 : 0;
                 for (unsigned c = 0; c < channels; c++)
@@ -21,7 +21,7 @@ static void shade_run(struct raster *r, int x, int y, int n)
             }
         }
         if (setup->specular_lights >> l & 1) {
-            plane_values(&setup->plane, &setup->channel[2 * l + 1], setup->quadratic, x, y, n, value);
+            plane_values(&setup->plane, &setup->channel[2 * l + 1], x, y, n, value);
             for (int i = 0; i < n; i++) {
                 uint32_t power = fx_power(s->power, value[i]);
                 for (unsigned c = 0; c < channels; c++)
@@ -52,12 +52,19 @@ static inline void row_next(struct row *row, const struct polynomial *p, int qua
     }
 }
 
-static inline uint32_t row_value(const struct row *row, const struct polynomial *p, uint32_t i, int quadratic,
+static inline uint32_t start_value(const struct row *row, const struct polynomial *p, uint32_t i, int quadratic,
                                  uint32_t *step)
 {
     uint32_t ai = quadratic ? p->a * i : 0;
     *step = row->d + 2 * ai + p->a;
     return row->f + (row->d + ai) * i;
+}
+
+/* The shape compilers know as a saturation. */
+static inline int32_t clamped(int32_t x, int32_t top)
+{
+    int32_t y = x < 0 ? 0 : x;
+    return y > top ? top : y;
 }
 
 /*
@@ -70,69 +77,65 @@ static inline __attribute__((always_inline)) uint32_t spans(struct raster *r, st
 {
     const struct shade_setup *setup = &r->setup;
     const struct polynomial *pz = &setup->depth.p, *pl = &setup->channel[0].p, *ph = &setup->channel[1].p;
-    uint32_t j = (uint32_t)(e->row - setup->plane.oy), hidden = 0, covered = 0;
-    const int foot = (int)(TABLE_HIGHLIGHT << r->surface.power->octave) - (int)TABLE_HIGHLIGHT;
-    const int down = 23 - r->surface.power->octave;
     const uint32_t al = 2 * pl->a, ah = 2 * ph->a, dz = pz->d;
+    const int down = 23 - r->surface.power->octave;
+    volatile uint32_t hidden = 0; /* few: kept out of the registers, which the loop needs */
+    uint32_t j = (uint32_t)(e->row - setup->plane.oy), covered = 0;
     struct row z, l = {0, 0, 0}, h = {0, 0, 0};
     row_begin(&z, pz, j, 0);
     if (diffuse)
         row_begin(&l, pl, j, quadratic);
     if (highlight)
         row_begin(&h, ph, j, quadratic);
-    uint16_t *pixels = (uint16_t *)(void *)(r->pixels + (uint32_t)(e->row - r->y0) * r->stride);
-    uint16_t *depths = r->depth + (uint32_t)(e->row - r->y0) * r->width;
-    do {
-        int x0, x1;
-        if (raster_span(r, e, &x0, &x1)) {
-            uint32_t i = (uint32_t)(x0 - setup->plane.ox), dl = 0, dh = 0, vl = 0, vh = 0;
-            uint32_t vz = z.f + dz * i;
-            if (diffuse)
-                vl = row_value(&l, pl, i, quadratic, &dl);
-            if (highlight)
-                vh = row_value(&h, ph, i, quadratic, &dh);
-            uint16_t *pixel = pixels + x0, *depth = depths + x0, *end = pixels + x1;
-            covered += (uint32_t)(x1 - x0);
-            do {
-                uint32_t nearer = vz >> 16;
-                if (nearer > *depth) {
-                    int32_t index = 0;
-                    *depth = (uint16_t)nearer;
+    uint32_t at = (uint32_t)(e->row - r->y0) * r->width;
+    for (int rows; (rows = raster_spans(r, e)) != 0;) {
+        const struct span *span = r->span;
+        do {
+            intptr_t n = span->x0 - span->x1; /* counts up to 0, and is the one index of both */
+            if (n < 0) {
+                uint32_t i = (uint32_t)(span->x0 - setup->plane.ox), dl = 0, dh = 0, vl = 0, vh = 0;
+                uint32_t vz = z.f + dz * i;
+                if (diffuse)
+                    vl = start_value(&l, pl, i, quadratic, &dl);
+                if (highlight)
+                    vh = start_value(&h, ph, i, quadratic, &dh);
+                uint16_t *pixel = (uint16_t *)(void *)r->pixels + at + span->x1, *depth = r->depth + at + span->x1;
+                covered -= (uint32_t)n;
+                do {
+                    uint32_t nearer = vz >> 16;
+                    if (nearer > depth[n]) {
+                        const uint16_t *entry = colours;
+                        depth[n] = (uint16_t)nearer;
+                        if (highlight)
+                            entry += clamped((int32_t)vh >> down, TABLE_HIGHLIGHT - 1) * TABLE_DIFFUSE;
+                        if (diffuse)
+                            entry += clamped((int32_t)vl >> 24, TABLE_DIFFUSE - 1);
+                        pixel[n] = *entry;
+                    } else {
+                        hidden = hidden + 1;
+                    }
+                    vz += dz;
                     if (diffuse) {
-                        index = (int32_t)vl >> 24;
-                        index = index < 0 ? 0 : index > TABLE_DIFFUSE - 1 ? TABLE_DIFFUSE - 1 : index;
+                        vl += dl;
+                        if (quadratic)
+                            dl += al;
                     }
                     if (highlight) {
-                        int32_t up = ((int32_t)vh >> down) - foot;
-                        up = up < 0 ? 0 : up > TABLE_HIGHLIGHT - 1 ? TABLE_HIGHLIGHT - 1 : up;
-                        index += up * TABLE_DIFFUSE;
+                        vh += dh;
+                        if (quadratic)
+                            dh += ah;
                     }
-                    *pixel = colours[index];
-                } else {
-                    hidden++;
-                }
-                vz += dz;
-                if (diffuse) {
-                    vl += dl;
-                    if (quadratic)
-                        dl += al;
-                }
-                if (highlight) {
-                    vh += dh;
-                    if (quadratic)
-                        dh += ah;
-                }
-                depth++;
-            } while (++pixel < end);
-        }
-        row_next(&z, pz, 0);
-        if (diffuse)
-            row_next(&l, pl, quadratic);
-        if (highlight)
-            row_next(&h, ph, quadratic);
-        pixels += r->width;
-        depths += r->width;
-    } while (edges_next(e));
+                } while (++n);
+            }
+            row_next(&z, pz, 0);
+            if (diffuse)
+                row_next(&l, pl, quadratic);
+            if (highlight)
+                row_next(&h, ph, quadratic);
+            at += r->width;
+            span++;
+        } while (--rows);
+    }
     return covered - hidden;
 }
 
@@ -151,14 +154,14 @@ CASE(spans_both_quadratic, 1, 1, 1)
 static uint32_t draw(struct raster *r, struct edges *e)
 {
     struct shade_setup *setup = &r->setup;
-    const struct colour_table *table;
-    if (setup->plane.exact || r->format != GLINT_RGB565 || r->dither || r->surface.lights != 1 || !(table = raster_table(r)))
+    const struct colour_table *table = r->surface_table;
+    if (!table || setup->runs_only)
         return raster_runs(r, e, shade_run);
     const uint16_t *colours = table->colour[0];
-    /* Rounding to the table's steps: half a step more. */
+    /* Rounded to the table's steps: half a step more. N.H counts from the foot of the power. */
     setup->channel[0].p.f += 1u << 23;
     if (setup->specular_lights) {
-        setup->channel[1].p.f += 1u << (22 - r->surface.power->octave);
+        setup->channel[1].p.f += (1u << (22 - r->surface.power->octave)) + (1u << (30 - r->surface.power->octave)) - (1u << 30);
         return setup->quadratic ? spans_both_quadratic(r, e, colours) : spans_both(r, e, colours);
     }
     if (setup->diffuse_lights)

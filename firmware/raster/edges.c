@@ -4,7 +4,7 @@
 /* The edge from (x, y), down by (dx, dy), dy > 0, at a row that it crosses. x is moved so that a column's centre is at
  * 16 * column. |x| <= 2^15, 0 <= y' <= dy <= 2^15, |dx| <= 2^15, and the crossing x + dx y'/dy lies between the ends:
  * x dy + dx y' is at most 2^15 dy <= 2^30 in size, though one product alone may be that large too. */
-static void edge_setup(struct edge *e, int32_t x, int32_t y, int32_t dx, int32_t dy, int32_t row_centre)
+static inline void edge_setup(struct edge *e, int32_t x, int32_t y, int32_t dx, int32_t dy, int32_t row_centre)
 {
     int32_t den = dy << 4;
     int32_t num = x * dy + (row_centre - y) * dx;
@@ -45,14 +45,55 @@ int edges_setup(struct edges *e, const int16_t *const p[3], unsigned width, unsi
     e->lower_dx = x[bottom] - x[mid];
     e->lower_dy = y[bottom] - y[mid];
     edge_setup(longer, x[a], y[a], x[bottom] - x[a], y[bottom] - y[a], centre);
+    e->turned = 0;
+    int32_t w = 16 * (int32_t)width - 8; /* the last column's centre, and a little */
+    e->cut = x[0] < 0 || x[1] < 0 || x[2] < 0 || x[0] > w || x[1] > w || x[2] > w;
     if (e->row < e->middle)
         edge_setup(shorter, x[a], y[a], x[mid] - x[a], y[mid] - y[a], centre);
-    else
-        edges_turn(e);
     return 1;
 }
 
-void edges_turn(struct edges *e)
+int edges_spans(struct edges *e, int width, struct span *out, int most)
 {
-    edge_setup(e->lower_is_left ? &e->left : &e->right, e->lower_x, e->lower_y, e->lower_dx, e->lower_dy, e->row << 4);
+    int32_t row = e->row, count = e->last - row < most ? e->last - row : most, end = row + count;
+    int32_t stop = e->middle < end ? e->middle : end;
+    struct edge left = e->left, right = e->right;
+    struct span *at = out;
+    for (;;) {
+        /* A side is stepped once past its end, which nothing reads. */
+        for (; row < stop; row++, at++) {
+            at->x0 = (int16_t)left.column;
+            at->x1 = (int16_t)right.column;
+            left.column += left.column_step;
+            left.rest += left.rest_step;
+            if (left.rest >= left.den) {
+                left.rest -= left.den;
+                left.column++;
+            }
+            right.column += right.column_step;
+            right.rest += right.rest_step;
+            if (right.rest >= right.den) {
+                right.rest -= right.den;
+                right.column++;
+            }
+        }
+        if (row == end)
+            break;
+        if (!e->turned) {
+            edge_setup(e->lower_is_left ? &left : &right, e->lower_x, e->lower_y, e->lower_dx, e->lower_dy, row << 4);
+            e->turned = 1;
+        }
+        stop = end;
+    }
+    if (end < e->last) {
+        e->left = left;
+        e->right = right;
+    }
+    e->row = end;
+    if (e->cut)
+        for (int32_t i = 0; i < count; i++) {
+            out[i].x0 = out[i].x0 < 0 ? 0 : out[i].x0;
+            out[i].x1 = out[i].x1 > width ? (int16_t)width : out[i].x1;
+        }
+    return count;
 }

@@ -15,13 +15,18 @@ struct edge {
     int32_t column, rest, column_step, rest_step, den;
 };
 
-/* A triangle's rows [first, last) and columns. */
+/* A triangle's rows [row, last), and its two sides at `row`. */
 struct edges {
     struct edge left, right;
-    int32_t row, middle, last; /* at `middle` one side changes edge */
-    /* where the lower edge starts and which side it is on */
-    int32_t lower_x, lower_y, lower_dx, lower_dy;
-    int lower_is_left;
+    int32_t row, middle, last;
+    int32_t lower_x, lower_y, lower_dx, lower_dy; /* at `middle` one side turns to the lower edge */
+    uint8_t lower_is_left, turned;
+    uint8_t cut; /* may reach past the picture's sides */
+};
+
+/* Columns [x0, x1) of a row, inside the picture; x1 <= x0: none. */
+struct span {
+    int16_t x0, x1;
 };
 
 /* The first row (or column) whose centre, at 16 i + 8, is not before v: v in 28.4 from the picture's corner. */
@@ -33,29 +38,7 @@ static inline int32_t edges_first(int32_t v) { return (v + 7) >> 4; }
  */
 int edges_setup(struct edges *e, const int16_t *const p[3], unsigned width, unsigned height, int32_t from, int32_t to);
 
-/* The edge that takes over at e->middle. */
-void edges_turn(struct edges *e);
-
-static inline void edge_step(struct edge *e)
-{
-    e->column += e->column_step;
-    e->rest += e->rest_step;
-    if (e->rest >= e->den) {
-        e->rest -= e->den;
-        e->column++;
-    }
-}
-
-/* To the next row: 0 after the last. */
-static inline int edges_next(struct edges *e)
-{
-    if (++e->row >= e->last)
-        return 0;
-    edge_step(&e->left);
-    edge_step(&e->right);
-    if (e->row == e->middle)
-        edges_turn(e);
-    return 1;
-}
+/* The spans of the next rows, at most `most` of them: how many; 0 after the last. */
+int edges_spans(struct edges *e, int width, struct span *out, int most);
 
 #endif

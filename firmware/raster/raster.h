@@ -12,7 +12,8 @@
 #include "raster/edges.h"
 #include "shade/shade.h"
 
-#define RUN 16 /* pixels; a mask bit each */
+#define RUN   16 /* pixels; a mask bit each */
+#define SPANS 32 /* rows scan-converted at a time */
 
 /* Colours of one material under one light, RGB565: [highlight step][diffuse step]. Row 0 has no highlight. */
 #define TABLE_DIFFUSE   64
@@ -34,12 +35,14 @@ struct raster {
     struct palette palette;
     struct surface surface;
     uint16_t surface_material; /* which one `surface` holds; 0xffff: none */
+    const struct colour_table *surface_table; /* made for `surface`; null: none, or not looked for yet */
     struct colour_table *table;
     /* the triangle in hand */
     struct shade_input input;
     struct shade_setup setup;
     uint16_t weight[3][3];
     struct clip_polygon polygon[2]; /* while a frame begins */
+    struct span span[SPANS];
     /* the run in hand */
     int32_t value[3][RUN];
     uint32_t sum[RUN][3];
@@ -65,19 +68,14 @@ void raster_write(struct raster *r, int x, int y, uint32_t mask);
 /* A colour in Q15 steps as the format has it. */
 uint32_t raster_colour(const struct raster *r, const uint32_t sum[3]);
 
+/* The next spans of the triangle, into r->span: how many. */
+static inline int raster_spans(struct raster *r, struct edges *e) { return edges_spans(e, r->width, r->span, SPANS); }
+
 /* Fills the band with the background and its depth with the far end. */
 void raster_clear(struct raster *r, const struct scene_header *scene);
 
-/* The colour table of the surface in hand, made if need be; null: there is none for it. */
-const struct colour_table *raster_table(struct raster *r);
-
-/* The range of a row inside the picture. */
-static inline int raster_span(const struct raster *r, const struct edges *e, int *x0, int *x1)
-{
-    int left = e->left.column, right = e->right.column;
-    *x0 = left < 0 ? 0 : left;
-    *x1 = right > r->width ? r->width : right;
-    return *x0 < *x1;
-}
+/* Finds or makes the colour table of the surface in hand, r->surface_table; null if it can have none: another format
+ * than 565, dither, not one light, or no room. */
+void raster_find_table(struct raster *r);
 
 #endif

@@ -24,24 +24,30 @@ static uint32_t bit_count(uint32_t mask)
     return n;
 }
 
+/* One span; returns the pixels drawn. */
+static uint32_t draw_span(struct raster *r, int y, struct span span, raster_shade *shade)
+{
+    uint16_t *depth = r->depth + (uint32_t)(y - r->y0) * r->width;
+    uint32_t drawn = 0;
+    for (int x = span.x0; x < span.x1; x += RUN) {
+        int n = span.x1 - x < RUN ? span.x1 - x : RUN;
+        plane_values(&r->setup.plane, &r->setup.depth, x, y, n, r->value[0]);
+        uint32_t mask = test_depth(r->value[0], depth + x, n);
+        if (!mask)
+            continue;
+        drawn += bit_count(mask);
+        shade(r, x, y, n);
+        raster_write(r, x, y, mask);
+    }
+    return drawn;
+}
+
 uint32_t raster_runs(struct raster *r, struct edges *e, raster_shade *shade)
 {
     uint32_t drawn = 0;
-    int x0, x1;
-    do {
-        if (!raster_span(r, e, &x0, &x1))
-            continue;
-        uint16_t *depth = r->depth + (uint32_t)(e->row - r->y0) * r->width;
-        for (int x = x0; x < x1; x += RUN) {
-            int n = x1 - x < RUN ? x1 - x : RUN;
-            plane_values(&r->setup.plane, &r->setup.depth, 0, x, e->row, n, r->value[0]);
-            uint32_t mask = test_depth(r->value[0], depth + x, n);
-            if (!mask)
-                continue;
-            drawn += bit_count(mask);
-            shade(r, x, e->row, n);
-            raster_write(r, x, e->row, mask);
-        }
-    } while (edges_next(e));
+    int y = e->row;
+    for (int rows; (rows = raster_spans(r, e)) != 0;)
+        for (int i = 0; i < rows; i++, y++)
+            drawn += draw_span(r, y, r->span[i], shade);
     return drawn;
 }

@@ -37,16 +37,16 @@ static void make(struct raster *r, struct colour_table *table)
     table->ready = 1;
 }
 
-const struct colour_table *raster_table(struct raster *r)
+void raster_find_table(struct raster *r)
 {
     struct colour_table *table = r->table;
-    for (unsigned i = 0; i < r->tables; i++, table++) {
-        if (!table->ready) {
+    r->surface_table = 0;
+    if (r->format != GLINT_RGB565 || r->dither || r->surface.lights != 1)
+        return;
+    for (unsigned i = 0; i < r->tables && !r->surface_table; i++, table++) {
+        if (!table->ready)
             make(r, table);
-            return table;
-        }
         if (same_surface(&table->surface, &r->surface))
-            return table;
+            r->surface_table = table;
     }
-    return 0;
 }

@@ -7,7 +7,7 @@ void shade_phong(struct shade_setup *setup, const struct shade_input *in)
     for (int axis = 0; axis < 3; axis++) {
         int32_t value[3];
         for (int k = 0; k < 3; k++)
-            value[k] = in->normal[k][axis];
+            value[k] = in->vertices[in->triangle->corner[SHADE_TURN(k)]].normal[axis];
         if (in->weight) {
             int32_t corner[3] = {value[0], value[1], value[2]};
             for (int k = 0; k < 3; k++) { /* |corner| <= 2^14 (1 + 2^-13), weights sum to 2^15 */

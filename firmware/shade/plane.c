@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "shade/plane.h"
 
-/* Below this determinant, of corner differences scaled to 14 bits, the products of a quadratic's set-up lose too many
- * bits: its error at the far side would reach .2 display units (2^(2 up) * 3 in Q30, up = 9). A height below 2 pixels
- * lets gradients leave the ranges given below. Both go the exact way. */
-#define MIN_DET (1u << 22)
+/* Corner differences are scaled to 14 bits, so a determinant far below 2^28 is a sliver. A linear channel errs by about
+ * 2^up in Q30 at the far end (one unit of the high product, times 2^(scale + up - 14), over 2^(14 - scale) sub-pixels),
+ * a quadratic one by 3 * 2^(2 up - 2): these keep both below 1/64 and 1/5 of a display unit. */
+#define MIN_DET_LINEAR    (1u << 16)
+#define MIN_DET_QUADRATIC (1u << 22)
 
 int plane_setup(struct plane *plane, const int16_t *const p[3], unsigned width, unsigned height)
 {
@@ -17,19 +18,16 @@ int plane_setup(struct plane *plane, const int16_t *const p[3], unsigned width, 
     uint32_t largest = (uint32_t)(x1 < 0 ? -x1 : x1) | (uint32_t)(y1 < 0 ? -y1 : y1) | (uint32_t)(x2 < 0 ? -x2 : x2) |
                        (uint32_t)(y2 < 0 ? -y2 : y2); /* as good as the maximum for counting bits */
     int scale = (int)fx_clz(largest) - 18;
-    uint32_t span = largest;
     if (scale >= 0) {
         x1 = (int32_t)((uint32_t)x1 << scale);
         y1 = (int32_t)((uint32_t)y1 << scale);
         x2 = (int32_t)((uint32_t)x2 << scale);
         y2 = (int32_t)((uint32_t)y2 << scale);
-        span <<= scale;
     } else { /* more than 1024 pixels: half a sub-pixel, a quarter where it is 2048, does not show over that length */
         x1 >>= -scale;
         y1 >>= -scale;
         x2 >>= -scale;
         y2 >>= -scale;
-        span >>= -scale;
     }
     int32_t det = x1 * y2 - x2 * y1;
     plane->x1 = x1;
@@ -40,8 +38,7 @@ int plane_setup(struct plane *plane, const int16_t *const p[3], unsigned width, 
     plane->scale = scale;
     plane->up = (int)fx_clz(plane->det);
     plane->r = fx_recip_norm(plane->det << plane->up);
-    /* Least height >= 2 pixels: det / span >= 32 sub-pixels, scaled. */
-    plane->exact = plane->det < MIN_DET || (scale > 0 ? plane->det >> scale : plane->det) < span << 5;
+    plane->sliver = plane->det < MIN_DET_LINEAR;
 
     int32_t left = x0 + 8 * (int32_t)width, top = y0 + 8 * (int32_t)height;
     plane->ox = left >> 4;
@@ -53,6 +50,10 @@ int plane_setup(struct plane *plane, const int16_t *const p[3], unsigned width, 
 
 void plane_setup_quadratic(struct plane *plane)
 {
+    /* Heights of 2 pixels at least bound the second differences: det / (longest side) >= 32 sub-pixels. */
+    uint32_t longest = 1u << 14;
+    uint32_t height = plane->scale > 0 ? plane->det >> plane->scale : plane->det;
+    plane->thin = plane->det < MIN_DET_QUADRATIC || height < longest << 5;
     plane->r2 = (int32_t)(fx_mulhi_u32(plane->r, plane->r) >> 1);
 }
 
@@ -85,7 +86,8 @@ static void keep_corners(struct channel *channel, const int32_t value[3], const 
 
 void plane_linear(const struct plane *plane, const int32_t value[3], struct channel *channel)
 {
-    if (plane->exact) {
+    channel->exact = plane->sliver;
+    if (plane->sliver) {
         keep_corners(channel, value, 0);
         return;
     }
@@ -100,7 +102,8 @@ void plane_linear(const struct plane *plane, const int32_t value[3], struct chan
 
 void plane_quadratic(const struct plane *plane, const int32_t value[3], const int32_t bulge[3], struct channel *channel)
 {
-    if (plane->exact) {
+    channel->exact = plane->thin;
+    if (plane->thin) {
         keep_corners(channel, value, bulge);
         return;
     }
@@ -170,23 +173,16 @@ static void exact_values(const struct plane *plane, const struct channel *channe
     }
 }
 
-void plane_values(const struct plane *plane, const struct channel *channel, int quadratic, int x, int y, int n,
-                  int32_t *out)
+void plane_values(const struct plane *plane, const struct channel *channel, int x, int y, int n, int32_t *out)
 {
-    if (plane->exact) {
+    if (channel->exact) {
         exact_values(plane, channel, x, y, n, out);
         return;
     }
     const struct polynomial *p = &channel->p;
     uint32_t i = (uint32_t)(x - plane->ox), j = (uint32_t)(y - plane->oy);
-    uint32_t value = p->f + p->e * j + p->d * i, step = p->d;
-    if (!quadratic) {
-        for (; n; n--, value += step)
-            *out++ = (int32_t)value;
-        return;
-    }
-    value += (p->b * j + p->c * i) * j + p->a * i * i;
-    step += p->c * j + p->a * (2 * i + 1);
+    uint32_t value = p->f + (p->e + p->b * j) * j + (p->d + p->c * j + p->a * i) * i;
+    uint32_t step = p->d + p->c * j + p->a * (2 * i + 1);
     for (; n; n--, value += step, step += 2 * p->a)
         *out++ = (int32_t)value;
 }

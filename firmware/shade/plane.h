@@ -26,12 +26,15 @@ struct plane {
     int scale, up;
     int ox, oy; /* the origin pixel */
     int fx, fy; /* its centre from corner 0, 1/16 pixel, -7..8 */
-    int exact;  /* a sliver or tiny: evaluated by barycentric coordinates at each pixel instead */
-    int32_t r2; /* r^2 / 2^33, for quadratics */
+    int sliver; /* no polynomial is accurate enough over it */
+    int thin;   /* no quadratic is: set by plane_setup_quadratic(), as is r2 */
+    int32_t r2; /* r^2 / 2^33 */
 };
 
-/* One quantity over a triangle: a polynomial, or where plane.exact its corner values. */
+/* One quantity over a triangle: a polynomial, or where that would not do, its corner values, from which it is
+ * computed at each pixel by exact barycentric coordinates. */
 struct channel {
+    int exact;
     union {
         struct polynomial p;
         struct {
@@ -56,7 +59,6 @@ void plane_linear(const struct plane *plane, const int32_t value[3], struct chan
 void plane_quadratic(const struct plane *plane, const int32_t value[3], const int32_t bulge[3], struct channel *channel);
 
 /* Values of a channel at n pixels from (x, y) rightwards; y down, picture coordinates. */
-void plane_values(const struct plane *plane, const struct channel *channel, int quadratic, int x, int y, int n,
-                  int32_t *out);
+void plane_values(const struct plane *plane, const struct channel *channel, int x, int y, int n, int32_t *out);
 
 #endif

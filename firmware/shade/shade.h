@@ -16,15 +16,18 @@ struct clipped_triangle {
 
 /* A triangle to be shaded. Corners stand clockwise on the screen (y down), so that determinants are positive. */
 struct shade_input {
-    const int16_t *place[3];  /* x, y, depth of the corners */
-    const int16_t *lights[3]; /* N.L and N.H, Q14, of the source triangle's corners, in the same turn */
-    const q14_t *normal[3];   /* of the source triangle's corners */
-    int32_t bend[3];          /* Q16 -k of the source's edges 0-1, 1-2, 2-0 */
-    const uint16_t (*weight)[3]; /* null: the corners are the source's */
+    const int16_t *place[3];      /* x, y, depth of the corners */
+    const int16_t *lights[3];     /* N.L and N.H, Q14, of the source triangle's corners, in the same turn */
+    const struct scene_triangle *triangle; /* the source; its edges stand in `bend` as 2, 1, 0 */
+    const struct scene_vertex *vertices;   /* of its mesh */
+    const uint16_t (*weight)[3];  /* null: the corners are the source's */
     const struct object_state *object;
     const struct surface *surface;
     int no_plan; /* keep effects that cannot show */
 };
+
+/* Which of the source's corners is the input's corner k. */
+#define SHADE_TURN(k) ((3 - (k)) % 3)
 
 /* Channels: per light N.L then N.H (x), finished colours (gouraud), or the normal's components (phong). */
 #define SHADE_MAX_CHANNELS (2 * SCENE_MAX_LIGHTS)
@@ -37,6 +40,7 @@ struct shade_setup {
     uint8_t diffuse_lights;  /* x: bit i: light i reaches the triangle */
     uint8_t specular_lights; /* x: bit i: light i's highlight does */
     uint8_t quadratic;       /* x: some channel bends visibly; 0: all are linear */
+    uint8_t runs_only;       /* x: a channel that no polynomial holds, or N.H beyond what a table's loop can index */
 };
 
 /* Each fills the channels it needs; plane and depth are done. */

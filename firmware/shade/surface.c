@@ -24,6 +24,14 @@ void surface_colour(const struct palette *palette, const uint16_t rgb_q15[3], ui
     to_steps(palette, rgb, 0, out);
 }
 
+static uint16_t most(const uint16_t *steps, unsigned channels)
+{
+    uint16_t largest = steps[0];
+    for (unsigned c = 1; c < channels; c++)
+        largest = steps[c] > largest ? steps[c] : largest;
+    return largest;
+}
+
 void surface_setup(struct surface *surface, const struct scene_header *scene, const struct scene_material *material,
                    const struct palette *palette)
 {
@@ -51,6 +59,8 @@ void surface_setup(struct surface *surface, const struct scene_header *scene, co
             surface->light[i].specular[c] = (uint16_t)steps[c];
             surface->highlights |= steps[c] != 0;
         }
+        surface->light[i].diffuse_most = most(surface->light[i].diffuse, palette->channels);
+        surface->light[i].specular_most = most(surface->light[i].specular, palette->channels);
     }
 }
 

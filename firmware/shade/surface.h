@@ -22,6 +22,7 @@ struct surface {
     uint32_t top[3];    /* full intensity, Q15 steps */
     struct {
         uint16_t diffuse[3], specular[3]; /* at N.L = 1, (N.H)^n = 1: Q8 steps, at most 255 * 2^8 */
+        uint16_t diffuse_most, specular_most; /* the largest of each */
     } light[SCENE_MAX_LIGHTS];
 };
 

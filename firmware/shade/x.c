@@ -9,11 +9,11 @@
 #include "shade/shade.h"
 
 /* The bulges (Ii + Ij) kij in Q28. |Ii + Ij| <= 2^15 and bend < 2^16: the product stays above -2^31. */
-static void bulges(const int32_t value[3], const int32_t bend[3], int32_t out[3])
+static void bulges(const int32_t value[3], const struct scene_triangle *triangle, int32_t out[3])
 {
-    out[0] = -(((value[0] + value[1]) * bend[0]) >> 2);
-    out[1] = -(((value[1] + value[2]) * bend[1]) >> 2);
-    out[2] = -(((value[2] + value[0]) * bend[2]) >> 2);
+    out[0] = -(((value[0] + value[1]) * triangle->bend[2]) >> 2);
+    out[1] = -(((value[1] + value[2]) * triangle->bend[1]) >> 2);
+    out[2] = -(((value[2] + value[0]) * triangle->bend[0]) >> 2);
 }
 
 /* The same polynomial over a piece of the triangle whose corners have barycentric weights w[k]. Along an edge with
@@ -43,70 +43,67 @@ static void restrict_to(const uint16_t (*w)[3], int32_t value[3], int32_t bulge[
     }
 }
 
-/* One dot product over the triangle: its corner values and bulges; returns a third of the largest bulge, Q14. */
-static int32_t interpolant(const struct shade_input *in, unsigned which, int32_t value[3], int32_t bulge[3])
-{
-    for (int k = 0; k < 3; k++)
-        value[k] = in->lights[k][which];
-    bulges(value, in->bend, bulge);
-    if (in->weight)
-        restrict_to(in->weight, value, bulge);
-    return bounds_bend(bulge);
-}
+/* A bend that moves no channel by more than half a step of the output is left out: Q8. */
+#define BEND_STEPS_Q8 128
 
-/* A bend below this, in steps of the output, is not drawn: a quarter step at most, Q8. */
-#define BEND_STEPS_Q8 64
-
-static uint32_t largest_of(const uint16_t v[3], unsigned channels)
-{
-    uint32_t largest = v[0];
-    for (unsigned c = 1; c < channels; c++)
-        largest = v[c] > largest ? v[c] : largest;
-    return largest;
-}
-
-/* How much the highlight changes, in Q8 steps, when N.H at its largest is off by `bend`. */
+/* How much the highlight can change, in Q8 steps, when N.H of at most `top` is off by `bend`: the power is convex. */
 static uint32_t highlight_slack(const struct surface *s, unsigned light, int32_t top, int32_t bend)
 {
     int32_t lower = top - bend;
     top = top > 16384 ? 16384 : top;
     lower = lower > 16384 ? 16384 : lower < 0 ? 0 : lower;
     uint32_t change = fx_power(s->power, (q30_t)(top << 16)) - fx_power(s->power, (q30_t)(lower << 16));
-    return surface_diffuse(change, largest_of(s->light[light].specular, s->channels)) >> 7;
+    return surface_diffuse(change, s->light[light].specular_most) >> 7;
+}
+
+/* One dot product of a light over the triangle, where it can show. Returns 0 if not. */
+static int interpolate(struct shade_setup *setup, const struct shade_input *in, unsigned light, unsigned highlight,
+                       int32_t curl)
+{
+    const struct surface *s = in->surface;
+    struct channel *channel = &setup->channel[2 * light + highlight];
+    int32_t value[3], bulge[3];
+    for (int k = 0; k < 3; k++)
+        value[k] = in->lights[k][2 * light + highlight];
+    struct bounds range = bounds_of(value); /* of a clipped piece too: it lies in its source */
+    int32_t bend = bounds_bend(range, curl), top = range.high + bend;
+    int32_t floor = highlight ? bounds_power_floor(s->power) : 1;
+    if (top < floor && !in->no_plan)
+        return 0;
+    uint32_t error; /* steps in Q8 at full intensity times a Q14 bend: below 2^16 * 2^15 */
+    if (highlight) {
+        error = highlight_slack(s, light, top, bend);
+        /* Q30 less the floor must not pass -2 */
+        setup->runs_only |= (uint8_t)(range.low - bend - floor < -32768 + 256);
+    } else {
+        error = (s->light[light].diffuse_most * (uint32_t)bend) >> 14;
+    }
+    int linear = error < BEND_STEPS_Q8;
+    if (!linear || in->weight) {
+        bulges(value, in->triangle, bulge);
+        if (in->weight)
+            restrict_to(in->weight, value, bulge);
+    }
+    if (linear) {
+        plane_linear(&setup->plane, value, channel);
+    } else {
+        if (!setup->quadratic)
+            plane_setup_quadratic(&setup->plane);
+        setup->quadratic = 1;
+        plane_quadratic(&setup->plane, value, bulge, channel);
+    }
+    setup->runs_only |= (uint8_t)channel->exact;
+    return 1;
 }
 
 void shade_x(struct shade_setup *setup, const struct shade_input *in)
 {
-    const struct surface *s = in->surface;
-    int32_t floor = bounds_power_floor(s->power);
-    int32_t value[3], bulge[3];
-    int prepared = 0;
-    setup->diffuse_lights = setup->specular_lights = setup->quadratic = 0;
-    for (unsigned i = 0; i < s->lights; i++) {
-        for (unsigned k = 0; k < 2; k++) { /* diffuse, then specular */
-            if (k && !s->highlights)
-                break;
-            int32_t bend = interpolant(in, 2 * i + k, value, bulge);
-            int32_t top = bounds_top(value, bend);
-            if (top < (k ? floor : 1) && !in->no_plan)
-                continue;
-            /* steps in Q8 at full intensity times a Q14 bend: below 2^16 * 2^15 */
-            uint32_t error = k ? highlight_slack(s, i, top, bend)
-                               : (largest_of(s->light[i].diffuse, s->channels) * (uint32_t)bend) >> 14;
-            struct channel *channel = &setup->channel[2 * i + k];
-            if (k)
-                setup->specular_lights |= (uint8_t)(1u << i);
-            else
-                setup->diffuse_lights |= (uint8_t)(1u << i);
-            if (error < BEND_STEPS_Q8) {
-                plane_linear(&setup->plane, value, channel);
-                continue;
-            }
-            if (!prepared)
-                plane_setup_quadratic(&setup->plane);
-            prepared = 1;
-            setup->quadratic = 1;
-            plane_quadratic(&setup->plane, value, bulge, channel);
-        }
+    int32_t curl = bounds_curl(in->triangle->bend);
+    setup->runs_only = setup->depth.exact != 0;
+    for (unsigned i = 0; i < in->surface->lights; i++) {
+        if (interpolate(setup, in, i, 0, curl))
+            setup->diffuse_lights |= (uint8_t)(1u << i);
+        if (in->surface->highlights && interpolate(setup, in, i, 1, curl))
+            setup->specular_lights |= (uint8_t)(1u << i);
     }
 }
