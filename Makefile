@@ -12,7 +12,7 @@ endif
 ifeq ($(origin AR),default)
 AR := ar
 endif
-BUILD ?= build
+export BUILD ?= build
 OPT ?= -O2
 WERROR ?= -Werror
 SCENE ?= tests/scenes/demo.json

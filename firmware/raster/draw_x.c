@@ -88,44 +88,46 @@ static inline __attribute__((always_inline)) uint32_t spans(struct raster *r, st
     if (highlight)
         row_begin(&h, ph, j, quadratic);
     uint32_t at = (uint32_t)(e->row - r->y0) * r->width;
+    /* One pointer for both stores: they have the same shape. */
+    const uintptr_t to_pixels = (uintptr_t)r->pixels - (uintptr_t)r->depth;
     for (int rows; (rows = raster_spans(r, e)) != 0;) {
         const struct span *span = r->span;
         do {
-            intptr_t n = span->x0 - span->x1; /* counts up to 0, and is the one index of both */
-            if (n < 0) {
+            uint32_t n = (uint32_t)(span->x1 - span->x0);
+            if ((int32_t)n > 0) {
                 uint32_t i = (uint32_t)(span->x0 - setup->plane.ox), dl = 0, dh = 0, vl = 0, vh = 0;
                 uint32_t vz = z.f + dz * i;
                 if (diffuse)
                     vl = start_value(&l, pl, i, quadratic, &dl);
                 if (highlight)
                     vh = start_value(&h, ph, i, quadratic, &dh);
-                uint16_t *pixel = (uint16_t *)(void *)r->pixels + at + span->x1, *depth = r->depth + at + span->x1;
-                covered -= (uint32_t)n;
+                uint16_t *depth = r->depth + at + span->x0, *end = depth + n;
+                covered += n;
                 do {
                     uint32_t nearer = vz >> 16;
-                    if (nearer > depth[n]) {
+                    if (nearer > *depth) {
                         const uint16_t *entry = colours;
-                        depth[n] = (uint16_t)nearer;
+                        *depth = (uint16_t)nearer;
                         if (highlight)
                             entry += clamped((int32_t)vh >> down, TABLE_HIGHLIGHT - 1) * TABLE_DIFFUSE;
                         if (diffuse)
                             entry += clamped((int32_t)vl >> 24, TABLE_DIFFUSE - 1);
-                        pixel[n] = *entry;
+                        *(uint16_t *)((uintptr_t)depth + to_pixels) = *entry;
                     } else {
                         hidden = hidden + 1;
                     }
-                    vz += dz;
+                    fx_step(&vz, dz);
                     if (diffuse) {
                         vl += dl;
                         if (quadratic)
-                            dl += al;
+                            fx_step(&dl, al);
                     }
                     if (highlight) {
                         vh += dh;
                         if (quadratic)
-                            dh += ah;
+                            fx_step(&dh, ah);
                     }
-                } while (++n);
+                } while (++depth != end);
             }
             row_next(&z, pz, 0);
             if (diffuse)

@@ -53,43 +53,49 @@ int edges_setup(struct edges *e, const int16_t *const p[3], unsigned width, unsi
     return 1;
 }
 
+/* One row further. */
+static inline void step(int32_t *column, int32_t *rest, const struct edge *e)
+{
+    *column += e->column_step;
+    *rest += e->rest_step;
+    if (*rest >= e->den) {
+        *rest -= e->den;
+        ++*column;
+    }
+}
+
+/* Spans of the rows to `stop`, in which neither side turns. A side is stepped once past its end, which nothing reads. */
+static inline void rows(struct edges *e, struct span *out, int32_t stop)
+{
+    const struct edge left = e->left, right = e->right;
+    int32_t x0 = left.column, rest0 = left.rest, x1 = right.column, rest1 = right.rest;
+    struct span *end = out + (stop - e->row);
+    do {
+        out->x0 = (int16_t)x0;
+        out->x1 = (int16_t)x1;
+        step(&x0, &rest0, &left);
+        step(&x1, &rest1, &right);
+    } while (++out < end);
+    e->left.column = x0;
+    e->left.rest = rest0;
+    e->right.column = x1;
+    e->right.rest = rest1;
+    e->row = stop;
+}
+
 int edges_spans(struct edges *e, int width, struct span *out, int most)
 {
-    int32_t row = e->row, count = e->last - row < most ? e->last - row : most, end = row + count;
-    int32_t stop = e->middle < end ? e->middle : end;
-    struct edge left = e->left, right = e->right;
-    struct span *at = out;
-    for (;;) {
-        /* A side is stepped once past its end, which nothing reads. */
-        for (; row < stop; row++, at++) {
-            at->x0 = (int16_t)left.column;
-            at->x1 = (int16_t)right.column;
-            left.column += left.column_step;
-            left.rest += left.rest_step;
-            if (left.rest >= left.den) {
-                left.rest -= left.den;
-                left.column++;
-            }
-            right.column += right.column_step;
-            right.rest += right.rest_step;
-            if (right.rest >= right.den) {
-                right.rest -= right.den;
-                right.column++;
-            }
-        }
-        if (row == end)
-            break;
+    int32_t first = e->row, count = e->last - first < most ? e->last - first : most, end = first + count;
+    if (first < e->middle)
+        rows(e, out, e->middle < end ? e->middle : end);
+    if (e->row < end) {
         if (!e->turned) {
-            edge_setup(e->lower_is_left ? &left : &right, e->lower_x, e->lower_y, e->lower_dx, e->lower_dy, row << 4);
+            edge_setup(e->lower_is_left ? &e->left : &e->right, e->lower_x, e->lower_y, e->lower_dx, e->lower_dy,
+                       e->row << 4);
             e->turned = 1;
         }
-        stop = end;
+        rows(e, out + (e->row - first), end);
     }
-    if (end < e->last) {
-        e->left = left;
-        e->right = right;
-    }
-    e->row = end;
     if (e->cut)
         for (int32_t i = 0; i < count; i++) {
             out[i].x0 = out[i].x0 < 0 ? 0 : out[i].x0;

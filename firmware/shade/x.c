@@ -49,9 +49,8 @@ static void restrict_to(const uint16_t (*w)[3], int32_t value[3], int32_t bulge[
 /* How much the highlight can change, in Q8 steps, when N.H of at most `top` is off by `bend`: the power is convex. */
 static uint32_t highlight_slack(const struct surface *s, unsigned light, int32_t top, int32_t bend)
 {
-    int32_t lower = top - bend;
-    top = top > 16384 ? 16384 : top;
-    lower = lower > 16384 ? 16384 : lower < 0 ? 0 : lower;
+    top = top > 16384 ? 16384 : top; /* beyond, the power is clamped */
+    int32_t lower = top > bend ? top - bend : 0;
     uint32_t change = fx_power(s->power, (q30_t)(top << 16)) - fx_power(s->power, (q30_t)(lower << 16));
     return surface_diffuse(change, s->light[light].specular_most) >> 7;
 }
@@ -68,10 +67,11 @@ static int interpolate(struct shade_setup *setup, const struct shade_input *in, 
     struct bounds range = bounds_of(value); /* of a clipped piece too: it lies in its source */
     int32_t bend = bounds_bend(range, curl), top = range.high + bend;
     int32_t floor = highlight ? bounds_power_floor(s->power) : 1;
-    if (top < floor && !in->no_plan)
-        return 0;
-    uint32_t error; /* steps in Q8 at full intensity times a Q14 bend: below 2^16 * 2^15 */
-    if (highlight) {
+    uint32_t error = 0; /* steps in Q8 at full intensity times a Q14 bend: below 2^16 * 2^15 */
+    if (top < floor) {
+        if (!in->no_plan)
+            return 0;
+    } else if (highlight) {
         error = highlight_slack(s, light, top, bend);
         /* Q30 less the floor must not pass -2 */
         setup->runs_only |= (uint8_t)(range.low - bend - floor < -32768 + 256);

@@ -17,7 +17,7 @@
 
 #define DEMO_PANELS 3
 #define DEMO_GAP    4u  /* pixels between panels */
-#define DEMO_STRIP  20u /* rows for the labels */
+#define DEMO_STRIP  28u /* rows for the labels */
 
 static const char demo_name[] = "glint demo";
 
@@ -35,7 +35,8 @@ static const char *const demo_labels[DEMO_PANELS] = {"GOURAUD", "X-SHADING", "PH
 struct demo {
     const struct scene_header *scene;
     struct renderer renderer[DEMO_PANELS];
-    double milliseconds[DEMO_PANELS], psnr_db[DEMO_PANELS];
+    double milliseconds[DEMO_PANELS]; /* of the quickest frame: the least disturbed by other work */
+    double psnr_db[DEMO_PANELS];
     unsigned panel_width, panel_height, width, height; /* of a panel, and of the picture */
     uint32_t frames, duration_ms;
     uint8_t *picture; /* RGB888 */
@@ -75,7 +76,9 @@ static void demo_draw(struct demo *demo, uint32_t frame)
 {
     for (int p = 0; p < DEMO_PANELS; p++) {
         struct demo_panel panel = {{&demo_ops}, demo, demo_left(demo, p)};
-        renderer_draw(&demo->renderer[p], demo_moment(demo, frame), &panel.display, NULL, &demo->milliseconds[p]);
+        double milliseconds = 0;
+        renderer_draw(&demo->renderer[p], demo_moment(demo, frame), &panel.display, NULL, &milliseconds);
+        demo->milliseconds[p] = frame ? fmin(demo->milliseconds[p], milliseconds) : milliseconds;
     }
 }
 
@@ -131,9 +134,10 @@ static void demo_report(const struct demo *demo)
 {
     printf("%u frames of %ux%u in %sframe-0000.png ..., animated in %s\n\n", (unsigned)demo->frames, demo->width,
            demo->height, demo->folder.host.path, demo->animation.host.path);
-    printf("method      ms/frame  cost/Gouraud  dB to double-precision Phong (frame %u)\n", (unsigned)demo->frames / 2);
+    printf("method      ms/frame  cost/Gouraud  dB to double-precision Phong in frame %u\n",
+           (unsigned)demo->frames / 2);
     for (int p = 0; p < DEMO_PANELS; p++)
-        printf("%-10s  %8.3f  %12.2f  %6.1f\n", demo_labels[p], demo->milliseconds[p] / demo->frames,
+        printf("%-10s  %8.3f  %12.2f  %6.1f\n", demo_labels[p], demo->milliseconds[p],
                demo->milliseconds[p] / demo->milliseconds[0], demo->psnr_db[p]);
 }
 

@@ -3,13 +3,14 @@
 
 #include <string.h>
 
-#define LABEL_STEP  6u
+#define LABEL_ROWS  (LABEL_HEIGHT / LABEL_SCALE)
+#define LABEL_STEP  (6u * LABEL_SCALE)
 #define LABEL_SHADE 208
 
 /* Rows from the top, the left pixel in bit 4. */
 static const struct {
     char letter;
-    uint8_t rows[LABEL_HEIGHT];
+    uint8_t rows[LABEL_ROWS];
 } label_font[] = {
     {'A', {0x0E, 0x11, 0x11, 0x1F, 0x11, 0x11, 0x11}}, {'D', {0x1E, 0x11, 0x11, 0x11, 0x11, 0x11, 0x1E}},
     {'G', {0x0E, 0x11, 0x10, 0x17, 0x11, 0x11, 0x0F}}, {'H', {0x11, 0x11, 0x11, 0x1F, 0x11, 0x11, 0x11}},
@@ -32,7 +33,7 @@ void label_draw(const char *text, uint8_t *rgb, unsigned width, unsigned x, unsi
     for (; *text; text++, x += LABEL_STEP)
         for (unsigned i = 0; i < LABEL_LETTERS; i++)
             for (unsigned row = 0; label_font[i].letter == *text && row < LABEL_HEIGHT; row++)
-                for (unsigned column = 0; column < 5; column++)
-                    if (label_font[i].rows[row] >> (4 - column) & 1)
+                for (unsigned column = 0; column < 5 * LABEL_SCALE; column++)
+                    if (label_font[i].rows[row / LABEL_SCALE] >> (4 - column / LABEL_SCALE) & 1)
                         memset(rgb + 3 * ((size_t)(y + row) * width + x + column), LABEL_SHADE, 3);
 }

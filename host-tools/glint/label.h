@@ -5,7 +5,8 @@
 
 #include <stdint.h>
 
-#define LABEL_HEIGHT 7u
+#define LABEL_SCALE  2u /* picture pixels a font pixel, either way */
+#define LABEL_HEIGHT (7u * LABEL_SCALE)
 
 /* In pixels. */
 unsigned label_width(const char *text);

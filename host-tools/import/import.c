@@ -1,20 +1,32 @@
 /* SPDX-License-Identifier: MIT */
+/*
+ * The importer works in a process of its own, because a malformed file can make it crash or loop. What it read comes
+ * back through a pipe, in the order of send_model().
+ */
 #include "import/import.h"
 
+#include "import/importer.h"
 #include "import/normals.h"
 
-#include <assimp/cimport.h>
-#include <assimp/config.h>
-#include <assimp/GltfMaterial.h>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
+#include <errno.h>
 #include <math.h>
+#include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
-/* Beyond this the quantiser's numbers are meaningless and squares leave the doubles' comfort. */
-#define MOST_POSITION 1e15f
+#define MOST_MEMORY (4ul << 30)
+
+struct reply {
+    char said[256]; /* the reason, or a warning */
+    bool failed, has_normals, has_uvs;
+    size_t materials, vertices, triangles;
+};
 
 static bool ends_with(const char *path, const char *ending)
 {
@@ -28,139 +40,146 @@ bool import_knows(const char *path)
            ends_with(path, ".glb");
 }
 
-static int fail(const char *path, const char *reason)
+static int fail(const char *path, const char *reason, int code)
 {
     fprintf(stderr, "%s: %.*s\n", path, (int)strcspn(reason, "\r\n"), reason);
-    return 1;
+    return code;
 }
 
-static bool get_colour(const struct aiMaterial *in, const char *key, double out[3])
+/* Processor time grows with the file; sanitizers map far more memory than they use. */
+static void set_limits(const char *path)
 {
-    struct aiColor4D c;
-    if (aiGetMaterialColor(in, key, 0, 0, &c) != AI_SUCCESS)
+    struct stat status;
+    rlim_t seconds = 5 + (stat(path, &status) == 0 ? (rlim_t)status.st_size >> 20 : 0) * 3;
+    setrlimit(RLIMIT_CPU, &(struct rlimit){seconds, seconds});
+    setrlimit(RLIMIT_CORE, &(struct rlimit){0, 0});
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define SANITIZED 1
+#endif
+#endif
+#if !defined(SANITIZED) && !defined(__SANITIZE_ADDRESS__)
+    setrlimit(RLIMIT_AS, &(struct rlimit){MOST_MEMORY, MOST_MEMORY});
+#endif
+}
+
+static void send_model(FILE *out, const char *path)
+{
+    struct reply reply = {0};
+    struct model model = {0};
+    model_add_mesh(&model, "");
+    const char *reason = importer_read(path, &model, 0, &reply.has_normals, reply.said, sizeof reply.said);
+    const struct model_mesh *mesh = &model.meshes[0];
+    if (!reason && mesh->triangle_count == 0)
+        reason = "has no triangles";
+    if (!reason && mesh->triangle_count > UINT32_MAX / 3)
+        reason = "has too many triangles";
+    if (reason && reason != reply.said)
+        snprintf(reply.said, sizeof reply.said, "%s", reason);
+    reply.failed = reason != NULL;
+    reply.has_uvs = mesh->has_uvs;
+    reply.materials = model.material_count;
+    reply.vertices = mesh->vertex_count;
+    reply.triangles = mesh->triangle_count;
+    fwrite(&reply, sizeof reply, 1, out);
+    for (size_t i = 0; !reason && i < model.material_count; i++) {
+        size_t length = strlen(model.materials[i].name);
+        fwrite(&model.materials[i], sizeof model.materials[i], 1, out);
+        fwrite(&length, sizeof length, 1, out);
+        fwrite(model.materials[i].name, 1, length, out);
+    }
+    if (!reason) {
+        fwrite(mesh->vertices, sizeof *mesh->vertices, mesh->vertex_count, out);
+        fwrite(mesh->triangles, sizeof *mesh->triangles, mesh->triangle_count, out);
+    }
+    model_free(&model);
+}
+
+/* False if the pipe ended early. */
+static bool receive(FILE *in, struct reply *reply, struct model *model, size_t index)
+{
+    if (fread(reply, sizeof *reply, 1, in) != 1)
         return false;
-    const float rgb[3] = {c.r, c.g, c.b};
-    for (int k = 0; k < 3; k++)
-        out[k] = rgb[k] >= 0 ? fmin(rgb[k], 1) : 0; /* a NaN is black */
+    if (reply->failed)
+        return true;
+    const size_t first = model->material_count;
+    for (size_t i = 0; i < reply->materials; i++) {
+        struct model_material material;
+        size_t length;
+        if (fread(&material, sizeof material, 1, in) != 1 || fread(&length, sizeof length, 1, in) != 1)
+            return false;
+        material.name = model_alloc(length + 1);
+        bool whole = fread(material.name, 1, length, in) == length;
+        struct model_material *out = model_add_material(model, "");
+        free(out->name);
+        *out = material;
+        if (!whole)
+            return false;
+    }
+    struct model_mesh *mesh = &model->meshes[index];
+    mesh->vertices = model_alloc(reply->vertices * sizeof *mesh->vertices);
+    mesh->triangles = model_alloc(reply->triangles * sizeof *mesh->triangles);
+    mesh->vertex_count = mesh->vertex_room = reply->vertices;
+    mesh->triangle_count = mesh->triangle_room = reply->triangles;
+    mesh->has_uvs = reply->has_uvs;
+    if (fread(mesh->vertices, sizeof *mesh->vertices, reply->vertices, in) != reply->vertices ||
+        fread(mesh->triangles, sizeof *mesh->triangles, reply->triangles, in) != reply->triangles)
+        return false;
+    for (size_t i = 0; i < mesh->triangle_count; i++)
+        mesh->triangles[i].material += (uint32_t)first;
     return true;
 }
 
-static double get_number(const struct aiMaterial *in, const char *key, double fallback)
+/* The importing process, and the pipe from it; null if there can be none. */
+static FILE *start(const char *path, pid_t *child)
 {
-    ai_real value;
-    return aiGetMaterialFloat(in, key, 0, 0, &value) == AI_SUCCESS && isfinite(value) ? value : fallback;
-}
-
-/* The mapping described in import.h for metalness and roughness. */
-static void physical(const struct aiMaterial *in, const double base[3], struct model_material *out)
-{
-    double metal = fmin(fmax(get_number(in, "$mat.metallicFactor", 1), 0), 1);
-    double rough = fmin(fmax(get_number(in, "$mat.roughnessFactor", 1), 0.1), 1);
-    out->shininess = fmin(fmax(2 / pow(rough, 4) - 2, 1), 1023);
-    for (int k = 0; k < 3; k++) {
-        double f0 = 0.04 + (base[k] - 0.04) * metal;
-        out->diffuse[k] = pow(base[k] * (1 - metal / 2), 1 / 2.2);
-        out->specular[k] = pow(fmin(1, f0 * (out->shininess + 8) / 8), 1 / 2.2);
+    int ends[2];
+    if (pipe(ends) != 0)
+        return NULL;
+    fflush(NULL); /* or both processes would write what is still buffered */
+    *child = fork();
+    if (*child == 0) {
+        close(ends[0]);
+        if (!freopen("/dev/null", "w", stderr)) /* its last words before a crash are not ours */
+            _exit(1);
+        set_limits(path);
+        FILE *out = fdopen(ends[1], "wb");
+        if (out) {
+            send_model(out, path);
+            fclose(out);
+        }
+        _exit(0);
     }
-    out->ks = 1;
-}
-
-static void read_material(const struct aiMaterial *in, struct model *model)
-{
-    struct aiString name = {0};
-    double base[3];
-    bool named = aiGetMaterialString(in, AI_MATKEY_NAME, &name) == AI_SUCCESS && name.length > 0;
-    struct model_material *out = model_add_material(model, named ? name.data : "unnamed");
-    for (int k = 0; k < 3; k++)
-        out->diffuse[k] = 0.75;
-    if (get_colour(in, "$clr.base", base)) {
-        physical(in, base, out);
-        return;
-    }
-    if (!named || !strcmp(name.data, AI_DEFAULT_MATERIAL_NAME)) { /* the importer's own, or none at all */
-        out->ks = 0.35;
-        out->shininess = 30;
-        return;
-    }
-    get_colour(in, "$clr.diffuse", out->diffuse);
-    out->shininess = get_number(in, "$mat.shininess", 0);
-    if (get_colour(in, "$clr.specular", out->specular) && out->shininess >= 0.5)
-        out->ks = 1;
-    out->shininess = fmin(fmax(round(out->shininess), 1), 1023);
-}
-
-/* Appends one of assimp's meshes; null or why not. */
-static const char *read_mesh(const struct aiMesh *in, uint32_t material, struct model_mesh *out)
-{
-    static const double none[3];
-    const size_t first = out->vertex_count;
-    if (first + in->mNumVertices > UINT32_MAX)
-        return "too many vertices";
-    for (unsigned i = 0; i < in->mNumVertices; i++) {
-        const struct aiVector3D *p = &in->mVertices[i], *n = in->mNormals ? &in->mNormals[i] : NULL;
-        const struct aiVector3D *uv = in->mTextureCoords[0] ? &in->mTextureCoords[0][i] : NULL;
-        if (!(fabsf(p->x) < MOST_POSITION && fabsf(p->y) < MOST_POSITION && fabsf(p->z) < MOST_POSITION))
-            return "a vertex is not finite, or too far away";
-        const double position[3] = {p->x, p->y, p->z};
-        model_add_vertex(out, position, n ? (const double[3]){n->x, n->y, n->z} : none, uv ? uv->x : 0, uv ? uv->y : 0);
-        out->has_uvs |= uv && isfinite(uv->x) && isfinite(uv->y);
-    }
-    for (unsigned i = 0; i < in->mNumFaces; i++) {
-        const struct aiFace *face = &in->mFaces[i];
-        if (face->mNumIndices != 3)
-            continue; /* points and lines that the importer could not sort out */
-        for (int k = 0; k < 3; k++)
-            if (face->mIndices[k] >= in->mNumVertices)
-                return "a face refers to a vertex that is not there";
-        model_add_triangle(out, (uint32_t)(first + face->mIndices[0]), (uint32_t)(first + face->mIndices[1]),
-                           (uint32_t)(first + face->mIndices[2]), material);
-    }
-    return NULL;
-}
-
-static const struct aiScene *load(const char *path)
-{
-    const unsigned steps = aiProcess_ValidateDataStructure | aiProcess_RemoveComponent | aiProcess_Triangulate |
-                           aiProcess_SortByPType | aiProcess_PreTransformVertices;
-    struct aiPropertyStore *properties = aiCreatePropertyStore();
-    aiSetImportPropertyInteger(properties, AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-    aiSetImportPropertyInteger(properties, AI_CONFIG_PP_RVC_FLAGS,
-                               aiComponent_COLORS | aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS |
-                                   aiComponent_TEXTURES | aiComponent_LIGHTS | aiComponent_CAMERAS |
-                                   aiComponent_TANGENTS_AND_BITANGENTS);
-    const struct aiScene *scene = aiImportFileExWithProperties(path, steps, NULL, properties);
-    aiReleasePropertyStore(properties);
-    return scene;
+    close(ends[1]);
+    FILE *in = *child > 0 ? fdopen(ends[0], "rb") : NULL;
+    if (!in)
+        close(ends[0]);
+    return in;
 }
 
 int import_file(const char *path, double crease, struct model *model, size_t mesh)
 {
-    const struct aiScene *scene = load(path);
-    const char *reason = NULL;
-    if (!scene)
-        return fail(path, *aiGetErrorString() ? aiGetErrorString() : "cannot be read as a model");
-    const size_t first_material = model->material_count;
-    for (unsigned i = 0; i < scene->mNumMaterials; i++)
-        read_material(scene->mMaterials[i], model);
-    struct model_mesh *out = &model->meshes[mesh];
-    bool normals = !ends_with(path, ".stl");
-    for (unsigned i = 0; !reason && i < scene->mNumMeshes; i++) {
-        const struct aiMesh *in = scene->mMeshes[i];
-        if (in->mMaterialIndex >= scene->mNumMaterials)
-            reason = "a mesh refers to a material that is not there";
-        else
-            reason = read_mesh(in, (uint32_t)first_material + in->mMaterialIndex, out);
-        normals = normals && in->mNormals;
+    struct reply reply;
+    pid_t child;
+    FILE *in = start(path, &child);
+    if (!in)
+        return fail(path, strerror(errno), 3);
+    bool whole = receive(in, &reply, model, mesh);
+    int status = 0;
+    fclose(in);
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
-    aiReleaseImport(scene);
-    if (!reason && out->triangle_count == 0)
-        reason = "has no triangles";
-    if (!reason && out->triangle_count > UINT32_MAX / 3)
-        reason = "too many triangles";
-    if (reason)
-        return fail(path, reason);
-    if (!normals)
-        normals_smooth(out, crease);
+    if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL))
+        return fail(path, "malformed: the importer finds no end of it", 1);
+    if (!whole)
+        return fail(path, "malformed: the importer breaks down over it", 1);
+    reply.said[sizeof reply.said - 1] = 0;
+    if (reply.failed)
+        return fail(path, reply.said, 1);
+    if (reply.said[0])
+        fprintf(stderr, "%s: warning: %s\n", path, reply.said);
+    if (!reply.has_normals || ends_with(path, ".stl"))
+        normals_smooth(&model->meshes[mesh], crease);
     return 0;
 }
 

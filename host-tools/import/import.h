@@ -4,9 +4,10 @@
  * triangle, a normal, a texture coordinate or a material is left out.
  *
  * Materials. MTL: Kd, Ks and Ns are diffuse, specular and shininess, ka = kd = 1, ks = 1 if Ks and Ns are there. glTF:
- * with base colour B, metalness m and roughness r, diffuse = B (1 - m/2), specular = mix(0.04, B, m) (n + 8)/8 clamped
- * to 1, n = 2/r^4 - 2 (the Blinn-Phong exponent whose lobe is as wide as the microfacets'); linear colours become
- * display values by the power 1/2.2. Exponents are rounded to 1..1023. A mesh without material is light grey.
+ * with base colour B, metalness m and roughness r, n = 2/r^4 - 2 (the Blinn-Phong exponent whose lobe is as wide as
+ * the microfacets'), diffuse = (B (1 - m/2))^(1/2.2), since B is linear and Glint's colours are display values, and
+ * specular = mix(0.04, B, m) (n + 8)/8, at most 1. Exponents are rounded to 1..1023. A mesh without material is light
+ * grey. Textures and vertex colours are not read.
  *
  * Normals that are missing, and STL's, which are only its facets', are made by normals_smooth().
  */

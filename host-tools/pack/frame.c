@@ -28,7 +28,7 @@ static void set_camera(struct model_camera *camera)
 
 int frame_load(const char *path, struct model *model)
 {
-    *model = (struct model){.ambient = {.18, .18, .2}, .background = {.20, .21, .23}, .duration_ms = 6000};
+    *model = (struct model){.ambient = {.15, .15, .17}, .background = {.20, .21, .23}, .duration_ms = 6000};
     set_camera(&model->camera);
     const char *slash = strrchr(path, '/');
     model_add_mesh(model, slash ? slash + 1 : path);
@@ -41,7 +41,7 @@ int frame_load(const char *path, struct model *model)
     import_fit(&model->meshes[0]);
 
     struct model_light *light = model_add_light(model);
-    *light = (struct model_light){.kind = LIGHT_DIRECTIONAL, .vector = {-.45, .65, .75}, .colour = {1, 1, 1}};
+    *light = (struct model_light){.kind = LIGHT_DIRECTIONAL, .vector = {-.45, .65, .75}, .colour = {.85, .85, .83}};
     vec_normalise(light->vector);
 
     struct model_object *object = model_add_object(model);

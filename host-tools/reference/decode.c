@@ -28,12 +28,10 @@ static void decode_rotation(const q30_t in[4], double out[4])
         out[i] /= sqrt(length);
 }
 
-static void decode_colour(const uint16_t q15[3], unsigned channels, double out[3])
+static void decode_colour(const uint16_t q15[3], double out[3])
 {
     for (int i = 0; i < 3; i++)
         out[i] = decode_q(q15[i], 15);
-    if (channels == 1)
-        out[0] = .299 * out[0] + .587 * out[1] + .114 * out[2];
 }
 
 /* A point p goes to position + scale * rotation(p). */
@@ -113,11 +111,11 @@ static void decode_camera(const struct scene_camera *camera, struct decode_pose 
 }
 
 static void decode_light(const struct scene_header *scene, const struct scene_light *light, uint32_t time_ms,
-                         const struct decode_pose *eye, unsigned channels, struct decode_light *out)
+                         const struct decode_pose *eye, struct decode_light *out)
 {
     struct decode_pose pose = decode_identity;
     decode_motion(scene, &light->motion, time_ms, &pose);
-    decode_colour(light->colour, channels, out->colour);
+    decode_colour(light->colour, out->colour);
     out->point = light->kind == LIGHT_POINT;
     if (out->point) {
         decode_vector(light->vector, 16, out->vector);
@@ -132,7 +130,7 @@ static void decode_light(const struct scene_header *scene, const struct scene_li
     }
 }
 
-void decode_view(const struct scene_header *scene, uint32_t time_ms, unsigned width, unsigned height, unsigned channels,
+void decode_view(const struct scene_header *scene, uint32_t time_ms, unsigned width, unsigned height,
                  struct decode_view *view)
 {
     const struct scene_camera *camera = &scene->camera;
@@ -145,11 +143,10 @@ void decode_view(const struct scene_header *scene, uint32_t time_ms, unsigned wi
                   fmin((double)width / camera->reference_width, (double)height / camera->reference_height);
     view->near_plane = decode_q(camera->near_plane, 16);
     view->far_plane = decode_q(camera->far_plane, 16);
-    decode_colour(scene->background, channels, view->background);
-    view->channels = channels;
+    decode_colour(scene->background, view->background);
     view->light_count = scene->light_count;
     for (unsigned i = 0; i < view->light_count; i++)
-        decode_light(scene, scene_lights(scene) + i, time_ms, &eye, channels, view->lights + i);
+        decode_light(scene, scene_lights(scene) + i, time_ms, &eye, view->lights + i);
 }
 
 void decode_vertices(const struct scene_header *scene, const struct scene_object *object, uint32_t time_ms,
@@ -178,14 +175,13 @@ void decode_vertices(const struct scene_header *scene, const struct scene_object
     }
 }
 
-void decode_material(const struct scene_header *scene, unsigned index, unsigned channels,
-                     struct decode_material *material)
+void decode_material(const struct scene_header *scene, unsigned index, struct decode_material *material)
 {
     const struct scene_material *packed = scene_materials(scene) + index;
     double ambient[3];
-    decode_colour(scene->ambient, channels, ambient);
-    decode_colour(packed->diffuse, channels, material->diffuse);
-    decode_colour(packed->specular, channels, material->specular);
+    decode_colour(scene->ambient, ambient);
+    decode_colour(packed->diffuse, material->diffuse);
+    decode_colour(packed->specular, material->specular);
     for (unsigned c = 0; c < 3; c++) {
         material->ambient[c] = material->diffuse[c] * decode_q(packed->ka, 15) * ambient[c];
         material->diffuse[c] *= decode_q(packed->kd, 15);

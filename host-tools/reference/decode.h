@@ -4,8 +4,8 @@
  * the packed scene, rounding and all, so that the reference draws the very mesh that the integer renderer draws and a
  * difference between the two pictures is the renderer's, not the packer's.
  *
- * Positions and vectors come out in eye space (right-handed, y up, the eye at the origin looking down -z), colours in
- * 0..1. With one channel, colours are their Rec. 601 luma.
+ * Positions and vectors come out in eye space (right-handed, y up, the eye at the origin looking down -z), colours
+ * as red, green and blue in 0..1.
  */
 #ifndef DECODE_H
 #define DECODE_H
@@ -37,21 +37,19 @@ struct decode_view {
     double focal; /* pixels, for the picture's size */
     double near_plane, far_plane;
     double background[3];
-    unsigned channels; /* 1 or 3 */
     unsigned light_count;
     struct decode_light lights[SCENE_MAX_LIGHTS];
 };
 
 /* The camera and lights of a checked scene at `time_ms`, for a picture of width x height. */
-void decode_view(const struct scene_header *scene, uint32_t time_ms, unsigned width, unsigned height, unsigned channels,
+void decode_view(const struct scene_header *scene, uint32_t time_ms, unsigned width, unsigned height,
                  struct decode_view *view);
 
 /* The vertices of scene_meshes(scene)[object->mesh] as that object places them at `time_ms`. */
 void decode_vertices(const struct scene_header *scene, const struct scene_object *object, uint32_t time_ms,
                      struct decode_vertex *vertices);
 
-void decode_material(const struct scene_header *scene, unsigned index, unsigned channels,
-                     struct decode_material *material);
+void decode_material(const struct scene_header *scene, unsigned index, struct decode_material *material);
 
 /* Half the loss of the vertices' dot product along edge e, (1 - Ni.Nj) / 2. */
 double decode_bend(const struct scene_triangle *triangle, unsigned e);

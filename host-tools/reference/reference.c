@@ -88,7 +88,7 @@ static void reference_triangle(struct reference_target *target, const struct dec
     unsigned left, right, top, bottom, width = target->image->width, height = target->image->height;
     reference_range(fmin(p[0].x, fmin(p[1].x, p[2].x)), fmax(p[0].x, fmax(p[1].x, p[2].x)), width, &left, &right);
     reference_range(fmin(p[0].y, fmin(p[1].y, p[2].y)), fmax(p[0].y, fmax(p[1].y, p[2].y)), height, &top, &bottom);
-    shading_setup(&shading, target->view, material, target->method, corner, bend);
+    shading_setup(&shading, target->view, material, target->image->channels, target->method, corner, bend);
     for (unsigned row = top; row < bottom; row++) {
         for (unsigned column = left; column < right; column++) {
             double x = 16. * column + 8 - 8. * width, y = 16. * row + 8 - 8. * height, screen[3];
@@ -170,7 +170,7 @@ static void reference_object(struct reference_target *target, const struct scene
             corner[i] = vertices[triangles[t].corner[i]];
             bend[i] = decode_bend(triangles + t, i);
         }
-        decode_material(scene, triangles[t].material, target->view->channels, &material);
+        decode_material(scene, triangles[t].material, &material);
         reference_clip(target, &material, corner, bend);
     }
 }
@@ -181,7 +181,7 @@ static void reference_clear(struct reference_target *target)
     size_t pixels = (size_t)image->width * image->height;
     for (size_t i = 0; i < pixels; i++) {
         target->depth[i] = -INFINITY;
-        memcpy(image->value + i * image->channels, target->view->background, image->channels * sizeof(double));
+        shading_channels(target->view->background, image->channels, image->value + i * image->channels);
     }
 }
 
@@ -200,7 +200,7 @@ bool reference_render(const struct scene_header *scene, const struct reference_o
     target.depth = malloc(pixels * sizeof *target.depth);
     bool done = vertices && image->value && image->covered && target.depth;
     if (done) {
-        decode_view(scene, options->time_ms, image->width, image->height, image->channels, &view);
+        decode_view(scene, options->time_ms, image->width, image->height, &view);
         reference_clear(&target);
         for (unsigned o = 0; o < scene->object_count; o++)
             reference_object(&target, scene, scene_objects(scene) + o, options->time_ms, vertices);

@@ -27,7 +27,7 @@ struct reference_options {
     unsigned width, height; /* 1..2048; both 0: the camera's reference size */
     uint32_t time_ms;
     enum reference_method method;
-    bool grey; /* shade the Rec. 601 luma of the colours, as one channel */
+    bool grey; /* shade one channel: Rec. 601 luma of the material's colours under each light */
 };
 
 struct reference_image {

@@ -39,18 +39,15 @@ static void shading_dots(const struct decode_view *view, unsigned light, const d
  * rightly be negative, and interpolated it may pass 1. */
 static void shading_colour(const struct shading *shading, double dots[][2], double colour[3])
 {
-    const struct decode_view *view = shading->view;
-    const struct decode_material *material = shading->material;
-    for (unsigned c = 0; c < view->channels; c++)
-        colour[c] = material->ambient[c];
-    for (unsigned l = 0; l < view->light_count; l++) {
+    for (unsigned c = 0; c < shading->channels; c++)
+        colour[c] = shading->ambient[c];
+    for (unsigned l = 0; l < shading->view->light_count; l++) {
         double diffuse = fmax(0, dots[l][0]);
-        double specular = dots[l][1] > 0 ? pow(fmin(1, dots[l][1]), material->shininess) : 0;
-        for (unsigned c = 0; c < view->channels; c++)
-            colour[c] +=
-                view->lights[l].colour[c] * (material->diffuse[c] * diffuse + material->specular[c] * specular);
+        double specular = dots[l][1] > 0 ? pow(fmin(1, dots[l][1]), shading->shininess) : 0;
+        for (unsigned c = 0; c < shading->channels; c++)
+            colour[c] += shading->diffuse[l][c] * diffuse + shading->specular[l][c] * specular;
     }
-    for (unsigned c = 0; c < view->channels; c++)
+    for (unsigned c = 0; c < shading->channels; c++)
         colour[c] = fmin(1, colour[c]);
 }
 
@@ -96,13 +93,38 @@ static void shading_setup_dots(struct shading *shading, unsigned light, const do
     }
 }
 
+void shading_channels(const double rgb[3], unsigned channels, double *out)
+{
+    if (channels == 1)
+        out[0] = .299 * rgb[0] + .587 * rgb[1] + .114 * rgb[2];
+    else
+        memcpy(out, rgb, 3 * sizeof *out);
+}
+
+static void shading_setup_colours(struct shading *shading, const struct decode_material *material)
+{
+    shading_channels(material->ambient, shading->channels, shading->ambient);
+    for (unsigned l = 0; l < shading->view->light_count; l++) {
+        double diffuse[3], specular[3];
+        for (unsigned c = 0; c < 3; c++) {
+            diffuse[c] = material->diffuse[c] * shading->view->lights[l].colour[c];
+            specular[c] = material->specular[c] * shading->view->lights[l].colour[c];
+        }
+        shading_channels(diffuse, shading->channels, shading->diffuse[l]);
+        shading_channels(specular, shading->channels, shading->specular[l]);
+    }
+    shading->shininess = material->shininess;
+}
+
 void shading_setup(struct shading *shading, const struct decode_view *view, const struct decode_material *material,
-                   enum reference_method method, const struct decode_vertex corner[3], const double bend[3])
+                   unsigned channels, enum reference_method method, const struct decode_vertex corner[3],
+                   const double bend[3])
 {
     shading->view = view;
-    shading->material = material;
+    shading->channels = channels;
     shading->method = method;
     memcpy(shading->corner, corner, sizeof shading->corner);
+    shading_setup_colours(shading, material);
     if (method == REFERENCE_PHONG)
         return;
     for (unsigned l = 0; l < view->light_count; l++)

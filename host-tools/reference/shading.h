@@ -12,7 +12,9 @@
 /* One triangle, ready to be shaded at any point. */
 struct shading {
     const struct decode_view *view;
-    const struct decode_material *material;
+    unsigned channels;
+    /* The material under each light. With one channel, the Rec. 601 luma of these products. */
+    double ambient[3], diffuse[SCENE_MAX_LIGHTS][3], specular[SCENE_MAX_LIGHTS][3], shininess;
     enum reference_method method;
     struct decode_vertex corner[3];
     double colour[3][3]; /* of the corners, for gouraud */
@@ -21,9 +23,13 @@ struct shading {
     double dot[SCENE_MAX_LIGHTS][2][3], bulge[SCENE_MAX_LIGHTS][2][3];
 };
 
+/* Red, green and blue as they are, or with one channel their Rec. 601 luma. */
+void shading_channels(const double rgb[3], unsigned channels, double *out);
+
 /* `bend` as decode_bend() gives it for the three edges. Corners that clipping made have shorter normals than 1. */
 void shading_setup(struct shading *shading, const struct decode_view *view, const struct decode_material *material,
-                   enum reference_method method, const struct decode_vertex corner[3], const double bend[3]);
+                   unsigned channels, enum reference_method method, const struct decode_vertex corner[3],
+                   const double bend[3]);
 
 /* The colour, 0..1 a channel, where the barycentric coordinates are `screen` in the picture and `space` in the scene
  * (the same without perspective). */

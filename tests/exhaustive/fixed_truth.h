@@ -31,7 +31,7 @@ static inline double truth_rsqrt(uint32_t m)
     return r <= 0x40000000u || r > 0x80000000u ? INFINITY : (r - exact) / exact;
 }
 
-static inline double truth_sin(uint32_t turn)
+FX_WRAPS static inline double truth_sin(uint32_t turn)
 {
     const double pi = 3.14159265358979323846;
     q30_t r = fx_sin(turn), one = (q30_t)1 << 30;

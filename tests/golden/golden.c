@@ -73,11 +73,14 @@ static uint32_t golden_hash(struct glint_config *config, const struct scene_head
 static int golden_picture(const struct program_scene *scene, const struct program_method *method,
                           const struct golden_format *format, uint32_t time_ms)
 {
-    int small = text_equal(scene->name, "tiny");
+    int small = text_equal(scene->name, "mini");
     struct line line = {.length = 0};
     uint32_t whole = 0;
     int bad = 0;
     for (unsigned v = 0; v < COUNT(variants); v++) {
+        /* Under a table the plan may leave out a bend smaller than the table's steps, and a last place may change. */
+        if (format->tables && variants[v].flags & GLINT_NO_PLAN)
+            continue;
         struct glint_config config = {.width = small ? 32 : 96, .height = small ? 24 : 72, .method = method->method};
         config.format = format->format;
         config.tables = format->tables;

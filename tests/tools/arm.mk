@@ -29,22 +29,22 @@ $(SCENE_DIR)/golden_list.c: tests/tools/scene_list.sh tests/tools/sources.mk
 	$(Q)tests/tools/scene_list.sh $(GOLDEN_SCENES) >$@
 $(SCENE_DIR)/golden_small_list.c: tests/tools/scene_list.sh
 	@mkdir -p $(@D)
-	$(Q)tests/tools/scene_list.sh tiny >$@
+	$(Q)tests/tools/scene_list.sh mini >$@
 $(SCENE_DIR)/bench_list.c: tests/tools/scene_list.sh tests/tools/sources.mk
 	@mkdir -p $(@D)
 	$(Q)tests/tools/scene_list.sh $(BENCH_SCENES) >$@
 
 GOLDEN_C := tests/golden/golden.c $(SCENE_DIR)/golden_list.c $(GOLDEN_SCENES:%=$(SCENE_DIR)/%.c)
-GOLDEN_SMALL_C := tests/golden/golden.c $(SCENE_DIR)/golden_small_list.c $(SCENE_DIR)/tiny.c
+GOLDEN_SMALL_C := tests/golden/golden.c $(SCENE_DIR)/golden_small_list.c $(SCENE_DIR)/mini.c
 BENCH_C := tests/device/bench.c $(SCENE_DIR)/bench_list.c $(BENCH_SCENES:%=$(SCENE_DIR)/%.c)
 
 define cpu_rules
-ARM_OBJ_$(1) := $$(CORE_SRC:%.c=build/$(1)/%.o)
-build/$(1)/%.o: %.c
+ARM_OBJ_$(1) := $$(CORE_SRC:%.c=$(BUILD)/$(1)/%.o)
+$(BUILD)/$(1)/%.o: %.c
 	$$(call say,CC-$(1),$$<)
 	@mkdir -p $$(@D)
 	$$(Q)$$(ARM)gcc $$(CPU_$(1)) $$(ARM_FLAGS) $$(DEFS_$(1)) -MMD -MP -c $$< -o $$@
--include $$(shell find build/$(1) -name '*.d' 2>/dev/null)
+-include $$(shell find $(BUILD)/$(1) -name '*.d' 2>/dev/null)
 endef
 $(foreach c,m0 $(CPUS),$(eval $(call cpu_rules,$(c))))
 DEFS_m0 := -DGOLDEN_SMALL
@@ -54,7 +54,7 @@ DEFS_m4 := -DPROGRAM_COUNTS
 
 # $(1) CPU, $(2) program, $(3) its sources, $(4) the board's sources, $(5) the board's linker script
 define image_rule
-build/$(1)/$(2).elf: $$(patsubst %.c,build/$(1)/%.o,$(3) $$(DEVICE_SRC) $(4)) $$(ARM_OBJ_$(1)) $(5) boards/cortexm.ld
+$(BUILD)/$(1)/$(2).elf: $$(patsubst %.c,$(BUILD)/$(1)/%.o,$(3) $$(DEVICE_SRC) $(4)) $$(ARM_OBJ_$(1)) $(5) boards/cortexm.ld
 	$$(call say,LINK,$$@)
 	$$(Q)$$(ARM)gcc $$(CPU_$(1)) $$(ARM_LINK) -T $(5) -Wl,-Map=$$(@:.elf=.map) $$(filter %.o,$$^) -lgcc -o $$@
 endef

@@ -3,9 +3,9 @@
 # bench.sh DEVICE.CSV HOST_PROGRAM: adds the host's instructions (callgrind) to the boards' and prints the tables; the
 # rows are kept in build/bench/bench.csv.
 set -eu
-device=$1 program=$2 csv=build/bench/bench.csv
-echo "cpu,scene,method,bands,tables,first,next,memory,band_bytes,triangles,pixels,setups" >$csv
-grep -v '^#' "$device" >>$csv
+device=$1 program=$2 csv=$BUILD/bench/bench.csv
+echo "cpu,scene,method,bands,tables,first,next,memory,band_bytes,triangles,pixels,setups" >"$csv"
+grep -v '^#' "$device" >>"$csv"
 
 count() { # arguments of the program
     valgrind --tool=callgrind --toggle-collect=bench_frame --callgrind-out-file=/dev/null "$program" "$@" 2>&1 |
@@ -14,7 +14,7 @@ count() { # arguments of the program
 "$program" | grep -v '^#' | while IFS=, read -r scene method bands tables _ _ rest; do
     first=$(count "$scene" "$method" "$bands" "$tables" 1)
     both=$(count "$scene" "$method" "$bands" "$tables" 2)
-    echo "x86-64,$scene,$method,$bands,$tables,$first,$((both - first)),$rest" >>$csv
+    echo "x86-64,$scene,$method,$bands,$tables,$first,$((both - first)),$rest" >>"$csv"
 done
 grep '^#' "$device" | sort -u
 awk -F, '
@@ -42,6 +42,6 @@ awk -F, '
             }
             printf "  %d / %d\n", ram[key[1], key[2], 1, key[3]], ram[key[1], key[2], 8, key[3]]
         }
-    }' $csv
+    }' "$csv"
 echo
 echo "rows: $csv"

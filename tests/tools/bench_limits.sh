@@ -3,17 +3,20 @@
 # bench_limits.sh DEVICE.CSV: the instruction counts that x, diffuse and specular, must keep.
 set -u
 awk -F, '
-    function limit(cpu, scene, most, n) {
-        n = next_frame[cpu, scene, 1]
-        printf "%s bench: %s on %s takes %.2f of at most %.2f M instructions a frame\n",
-            n > 0 && n <= most * 1e6 ? "ok" : "FAIL", scene, cpu, n / 1e6, most
-        bad += !(n > 0 && n <= most * 1e6)
+    function verdict(value, most) {
+        if (value > 0 && value <= most) return "ok"
+        bad++
+        return "FAIL"
     }
-    function bands(cpu, scene, ratio) {
-        ratio = next_frame[cpu, scene, 1] ? next_frame[cpu, scene, 8] / next_frame[cpu, scene, 1] : 0
-        printf "%s bench: %s on %s in 8 bands takes %.3f of at most 1.25 of the whole frame\n",
-            ratio > 0 && ratio <= 1.25 ? "ok" : "FAIL", scene, cpu, ratio
-        bad += !(ratio > 0 && ratio <= 1.25)
+    function limit(cpu, scene, most, n) {
+        n = next_frame[cpu, scene, 1] / 1e6
+        printf "%s bench: %s on %s takes %.2f of at most %.2f M instructions a frame\n", verdict(n, most), scene, cpu, n, most
+    }
+    function bands(cpu, scene, whole, ratio) {
+        whole = next_frame[cpu, scene, 1]
+        ratio = whole ? next_frame[cpu, scene, 8] / whole : 0
+        printf "%s bench: %s on %s in 8 bands takes %.3f of at most 1.25 of the whole frame\n", verdict(ratio, 1.25), scene,
+            cpu, ratio
     }
     # with the colour table, the way meant for RGB565; a frame after the one that builds it
     $3 == "x" && $5 == 1 { next_frame[$1, $2, $4] = $7 }

@@ -8,7 +8,7 @@ while [ "$1" != -- ]; do
     shift
 done
 shift
-objects=$(printf ' %s' "${@%.c}" | sed 's/ \([^ ]*\)/ BUILD\/\1.o/g')
+objects=$(printf ' %s' "${@%.c}" | sed 's/ \([^ ]*\)/ @\/\1.o/g')
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 arm="arm-none-eabi-"
@@ -27,7 +27,7 @@ verdict() { # name, complaints
 helpers='__aeabi_(u?idiv|u?idivmod|u?ldivmod|lmul|llsl|llsr|lasr|lcmp|ulcmp)|__(clz|ctz|popcount|ffs|bswap)[sd]i2|__gnu_thumb1_case_.*'
 memory='(__aeabi_)?mem(cpy|move|set|cmp|clr)[48]?'
 for cpu in $cpus; do
-    files=${objects//BUILD/build\/$cpu}
+    files=${objects//@/$BUILD\/$cpu}
     # shellcheck disable=SC2086
     ${arm}nm $files | awk 'NF == 2 { print $2 }' | sort -u >"$work/wanted"
     # shellcheck disable=SC2086
@@ -41,12 +41,12 @@ for cpu in $cpus; do
         / :$/ || /:$/ { file = $1 } /^\.(data|bss|tbss|tdata)/ && $2 > 0 { print file, $1, $2 " bytes" }')"
 done
 
-files=${objects//BUILD/build\/m3}
+files=${objects//@/$BUILD\/m3}
 provided=
 # shellcheck disable=SC2086
 if ! link=$(${arm}gcc -mcpu=cortex-m3 -mthumb -nostdlib -Wl,-e,glint_frame_begin $files -lgcc -o "$work/core.elf" 2>&1); then
     provided=$(echo "$link" | grep -oE "undefined reference to .mem[a-z]*" | grep -oE 'mem[a-z]*' | sort -u | tr '\n' ' ')
-    link=$(${arm}gcc -mcpu=cortex-m3 -mthumb -nostdlib -Wl,-e,glint_frame_begin $files build/m3/hal/cortexm/mem.o -lgcc \
+    link=$(${arm}gcc -mcpu=cortex-m3 -mthumb -nostdlib -Wl,-e,glint_frame_begin $files $BUILD/m3/hal/cortexm/mem.o -lgcc \
         -o "$work/core.elf" 2>&1) && link=
 fi
 verdict "links for Cortex-M3 with -nostdlib -lgcc alone${provided:+, given $provided}" "$link"

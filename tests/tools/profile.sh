@@ -6,8 +6,8 @@
 set -eu
 qemu=$1 image=$2 scene=$3 method=$4 bands=$5 tables=$6 frame=$7
 arm="arm-none-eabi-"
-out=build/bench/profile
-mkdir -p build/bench
+out=$BUILD/bench/profile
+mkdir -p "$BUILD/bench"
 symbol() { ${arm}nm -S "$image" | awk -v name="$1" '$4 == name { print $1, $2 }'; }
 read -r begin _ <<<"$(symbol bench_frame)"
 read -r main size <<<"$(symbol program_main)"
@@ -18,15 +18,16 @@ main_end=$(printf '%08x' $((0x$main + 0x$size)))
 # shellcheck disable=SC2086
 $qemu "$image" -append "$scene $method $bands $tables $frame" -singlestep -d exec,nochain -D /dev/stderr 2>&1 >/dev/null |
     awk -F / -v begin="$begin" -v main="$main" -v main_end="$main_end" -v frame="$frame" '
-        $2 == begin { inside = ++entered == frame }
-        inside && $2 >= main && $2 < main_end { inside = 0 }
+        { pc = "@" $2 } # never a number: 000012e4 would be one
+        pc == "@" begin { inside = ++entered == frame }
+        inside && pc >= "@" main && pc < "@" main_end { inside = 0 }
         inside { count[$2]++ }
         END { for (pc in count) print pc, count[pc] }' | sort >"$out.pc"
 [ -s "$out.pc" ] || { echo "profile: nothing was counted" >&2; exit 1; }
 
 ${arm}nm -n "$image" | awk '$2 ~ /[tTwW]/ { print $1, $3 }' | sort -k1,1 >"$out.symbols"
 awk 'NR == FNR { address[++n] = $1; name[n] = $2; next }
-     { while (i < n && address[i + 1] <= $1) i++; sum[name[i]] += $2; all += $2 }
+     { while (i < n && address[i + 1] "" <= $1 "") i++; sum[name[i]] += $2; all += $2 }
      END { for (f in sum) printf "%10d %5.1f %%  %s\n", sum[f], 100 * sum[f] / all, f
            printf "%10d 100.0 %%  in all\n", all }' "$out.symbols" "$out.pc" | sort -rn
 

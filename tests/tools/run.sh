@@ -4,10 +4,9 @@
 # lines that begin with `ok` or `FAIL`. A suite that fails without naming a case, or that runs none, is one failure.
 # The last line is `N passed, N failed`.
 set -u
-case ${MAKEFLAGS-} in
-*-j*) jobs= ;;
-*) jobs=-j$(nproc) ;;
-esac
+# As many jobs as there are CPUs, however make was called; its variables go on in MAKEFLAGS.
+MAKEFLAGS=$(echo "${MAKEFLAGS-}" | sed -E 's/(^| )-j[0-9]*//; s/--jobserver-[a-z]+=[^ ]*//')
+export MAKEFLAGS
 passed=0
 failed=0
 log=$(mktemp)
@@ -23,8 +22,7 @@ count() { # pattern of a cmocka line, then the word of a plain line
 for suite in "$@"; do
     echo "== $suite"
     begin=$SECONDS
-    # shellcheck disable=SC2086
-    ${MAKE:-make} -s $jobs --no-print-directory "suite-$suite" 2>&1 | tee "$log"
+    ${MAKE:-make} -s -j"$(nproc)" --no-print-directory "suite-$suite" 2>&1 | tee "$log"
     status=${PIPESTATUS[0]}
     good=$(count '[  PASSED  ]' ok)
     bad=$(count '[  FAILED  ]' FAIL)

@@ -4,7 +4,7 @@
 set -u
 for cpu in "$@"; do
     echo "$cpu"
-    find "build/$cpu/firmware" -name '*.o' -exec arm-none-eabi-size {} + | awk -v root="build/$cpu/firmware/" '
+    find "$BUILD/$cpu/firmware" -name '*.o' -exec arm-none-eabi-size {} + | awk -v root="$BUILD/$cpu/firmware/" '
         BEGIN { printf "  %-12s %8s %8s\n", "part", "flash", "RAM" }
         index($6, root) == 1 {
             part = substr($6, length(root) + 1)
@@ -35,13 +35,13 @@ for cpu in "$@"; do
                        glint_frame_next_band(f, b);
             }" >"$work/entry.c"
         # shellcheck disable=SC2046
-        arm-none-eabi-gcc $flags -mthumb -std=c11 -Os -Ifirmware -ffreestanding -nostdlib -Wl,-e,entry,--gc-sections \
-            "$work/entry.c" $(find "build/$cpu/firmware" -name '*.o') "build/$cpu/hal/cortexm/mem.o" -lgcc -o "$work/entry.elf" &&
+        arm-none-eabi-gcc "$flags" -mthumb -std=c11 -Os -Ifirmware -ffreestanding -nostdlib -Wl,-e,entry,--gc-sections \
+            "$work/entry.c" $(find "$BUILD/$cpu/firmware" -name '*.o') "$BUILD/$cpu/hal/cortexm/mem.o" -lgcc -o "$work/entry.elf" &&
             printf ' %8d' "$(arm-none-eabi-size "$work/entry.elf" | awk 'NR == 2 { print $1 + $2 }')"
     done
     echo
 done
 echo
 echo "scenes"
-arm-none-eabi-size build/m3/build/scenes/*.o | awk 'NR > 1 && $6 !~ /_list/ {
+find "$BUILD/m3" -path '*/scenes/*.o' -exec arm-none-eabi-size {} + | awk 'NR > 1 && $6 !~ /_list/ {
     name = $6; sub(/.*\//, "", name); sub(/\.o$/, "", name); printf "  %-20s %8d\n", name, $1 + $2 }'

@@ -9,7 +9,7 @@ CLI_TESTS := $(wildcard tests/cli/*.sh)
 ALL_SRC = $(shell find firmware hal host-tools boards tests -name '*.[ch]')
 
 # The scenes as C, each a symbol scene_<name>; and the lists that the golden and the bench programs walk.
-SCENE_DIR := build/scenes
-GOLDEN_SCENES := tiny clip torus288 torus800 sphere690 torus288-persp torus800-persp sphere690-persp bench-torus288 demo
+export SCENE_DIR ?= $(BUILD)/scenes
+GOLDEN_SCENES := mini clip torus288 torus800 sphere690 torus288-persp torus800-persp sphere690-persp bench-torus288 demo
 BENCH_SCENES := bench-torus288 bench-torus4000
-PACK := build/glint
+export PACK ?= $(BUILD)/glint

@@ -4,6 +4,7 @@ LEVELS := O0 O2 Os
 MATRIX := $(foreach c,gcc clang,$(foreach l,$(LEVELS),$(c)-$(l)))
 SANITIZE := -fsanitize=address,undefined,implicit-conversion,float-cast-overflow -fno-sanitize-recover=all \
 	-fno-omit-frame-pointer
+BENCH_ELF := $(foreach c,$(CPUS),$(BUILD)/$(c)/bench.elf)
 GOLDEN_LIST := tests/golden/hashes.txt
 SCENE_C := $(SCENES:%=$(SCENE_DIR)/%.c) $(SCENE_DIR)/golden_list.c \
 	$(SCENE_DIR)/golden_small_list.c $(SCENE_DIR)/bench_list.c
@@ -19,7 +20,7 @@ suite-exhaustive: $(EXHAUSTIVE_BIN)
 suite-cli: $(GLINT)
 	@status=0; for script in $(CLI_TESTS); do echo "# $$script"; bash $$script $(GLINT) || status=1; done; exit $$status
 
-suite-core: $(foreach c,$(CPUS),$(ARM_OBJ_$(c)) build/$(c)/hal/cortexm/mem.o)
+suite-core: $(BENCH_ELF)
 	@status=0; \
 	tests/tools/check_source.sh || status=1; \
 	tests/tools/check_core.sh $(CPUS) -- $(CORE_SRC) || status=1; \
@@ -27,46 +28,45 @@ suite-core: $(foreach c,$(CPUS),$(ARM_OBJ_$(c)) build/$(c)/hal/cortexm/mem.o)
 
 suite-golden: $(SCENE_C)
 	@status=0; for flavour in $(MATRIX); do \
-		$(MAKE) BUILD=build/matrix/$$flavour CC=$${flavour%-*} OPT=-$${flavour#*-} build/matrix/$$flavour/golden && \
-		tests/tools/check_golden.sh "$$flavour on this machine" all build/matrix/$$flavour/golden || status=1; \
+		$(MAKE) BUILD=$(BUILD)/matrix/$$flavour CC=$${flavour%-*} OPT=-$${flavour#*-} $(BUILD)/matrix/$$flavour/golden && \
+		tests/tools/check_golden.sh "$$flavour on this machine" all $(BUILD)/matrix/$$flavour/golden || status=1; \
 	done; exit $$status
 
-suite-device: $(foreach c,$(CPUS),build/$(c)/golden.elf) build/m0/golden.elf
+suite-device: $(foreach c,$(CPUS),$(BUILD)/$(c)/golden.elf) $(BUILD)/m0/golden.elf
 	@status=0; \
-	tests/tools/check_golden.sh "cortex-m0 on microbit" small $(call QEMU,m0) -kernel build/m0/golden.elf || status=1; \
+	tests/tools/check_golden.sh "cortex-m0 on microbit" small $(call QEMU,m0) -kernel $(BUILD)/m0/golden.elf || status=1; \
 	$(foreach c,$(CPUS),tests/tools/check_golden.sh "$(subst -mcpu=,,$(CPU_$(c))) on $(subst -M ,,$(QEMU_$(c)))" all \
-		$(call QEMU,$(c)) -kernel build/$(c)/golden.elf || status=1;) exit $$status
+		$(call QEMU,$(c)) -kernel $(BUILD)/$(c)/golden.elf || status=1;) exit $$status
 
 suite-docs: $(CORE_LIB) $(SCENE_C)
 	@CC="$(CC)" tests/tools/readme_example.sh $(CORE_LIB) $(SCENE_DIR)
 
 suite-sanitize: $(SCENE_C)
-	@$(MAKE) BUILD=build/sanitize CC=clang OPT=-O1 CFLAGS="$(SANITIZE)" suite-sanitized
+	@$(MAKE) BUILD=$(BUILD)/sanitize CC=clang OPT=-O1 CFLAGS="$(SANITIZE)" suite-sanitized
 
 suite-sanitized: $(BUILD)/golden $(UNIT_BIN) $(GLINT)
 	@status=0; $(MAKE) suite-unit || status=1; $(MAKE) suite-cli || status=1; \
 	tests/tools/check_golden.sh "sanitizers on this machine" all $(BUILD)/golden || status=1; exit $$status
 
-BENCH_ELF := $(foreach c,$(CPUS),build/$(c)/bench.elf)
-build/bench/device.csv: $(BENCH_ELF)
+$(BUILD)/bench/device.csv: $(BENCH_ELF)
 	@mkdir -p $(@D)
-	@rm -f $@.part; $(foreach c,$(CPUS),$(call QEMU,$(c)) -icount shift=0 -kernel build/$(c)/bench.elf | \
+	@rm -f $@.part; $(foreach c,$(CPUS),$(call QEMU,$(c)) -icount shift=0 -kernel $(BUILD)/$(c)/bench.elf | \
 		sed 's/^[^#]/$(c),&/; s/^#/# $(c):/' >>$@.part;) mv $@.part $@
 
-suite-bench: build/bench/device.csv
+suite-bench: $(BUILD)/bench/device.csv
 	@tests/tools/bench_limits.sh $<
 
-bench-table: build/bench/device.csv build/bench/bench
-	@tests/tools/bench.sh $< build/bench/bench
+bench-table: $(BUILD)/bench/device.csv $(BUILD)/bench/bench
+	@tests/tools/bench.sh $< $(BUILD)/bench/bench
 
 profile-run: $(BENCH_ELF)
-	@tests/tools/profile.sh "$(call QEMU,$(or $(CPU),m4)) -kernel" build/$(or $(CPU),m4)/bench.elf \
+	@tests/tools/profile.sh "$(call QEMU,$(or $(CPU),m4)) -kernel" $(BUILD)/$(or $(CPU),m4)/bench.elf \
 		$(or $(RENDER),bench-torus288 x) $(or $(BANDS),1) $(or $(TABLES),1) $(if $(FIRST),1,2)
 
-size-table: $(foreach c,$(CPUS),$(ARM_OBJ_$(c))) $(SCENES:%=build/m3/$(SCENE_DIR)/%.o) $(BENCH_ELF)
+size-table: $(SCENES:%=$(BUILD)/m3/$(SCENE_DIR)/%.o) $(BENCH_ELF)
 	@tests/tools/size.sh $(CPUS)
 
-stack_tool = python3 tests/tools/stack.py --cpu $(1) --indirect tests/tools/indirect.txt build/$(1)
+stack_tool = python3 tests/tools/stack.py --cpu $(1) --indirect tests/tools/indirect.txt $(BUILD)/$(1)
 stack-table: $(BENCH_ELF)
 	@status=0; for cpu in $(CPUS); do $(call stack_tool,$$cpu) --paths --limit 1024 || status=1; done; exit $$status
 
@@ -75,11 +75,11 @@ golden-update: $(BUILD)/golden
 		{ cp $(BUILD)/hashes.txt $(GOLDEN_LIST); echo "$(GOLDEN_LIST): rewritten"; }; }
 
 lint-run:
-	@tests/tools/check_source.sh
-	@cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
-		--suppress=missingIncludeSystem $(INCLUDE) $(CORE_SRC) $(HOST_SRC)
-	@clang-tidy --quiet --warnings-as-errors='*' $(CORE_SRC) $(HOST_SRC) -- -std=c11 -D_XOPEN_SOURCE=700 $(INCLUDE) \
-		$(PACKAGE_FLAGS)
+	@status=0; tests/tools/check_source.sh || status=1; \
+	cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
+		--suppress=missingIncludeSystem $(INCLUDE) $(CORE_SRC) $(HOST_SRC) $(wildcard hal/*/*.c) || status=1; \
+	clang-tidy --quiet --warnings-as-errors='*' $(CORE_SRC) $(HOST_SRC) -- -std=c11 -D_XOPEN_SOURCE=700 $(INCLUDE) \
+		$(PACKAGE_FLAGS) || status=1; exit $$status
 
 .PHONY: suite-unit suite-exhaustive suite-cli suite-core suite-golden suite-device suite-docs suite-sanitize \
 	suite-sanitized suite-bench bench-table profile-run size-table stack-table golden-update lint-run

@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: MIT */
+/* The integer renderer against double precision that is not rounded: the same pixels, and close values. */
+#include "compare/compare.h"
+#include "glint/renderer.h"
+#include "pack/pack.h"
+#include "reference/reference.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* A display that keeps the picture in 8-bit grey. */
+struct keeper {
+    struct hal_display display;
+    unsigned width;
+    double *value;
+};
+
+static int keep(struct hal_display *display, const void *pixels, uint16_t y, uint16_t rows, uint32_t stride)
+{
+    struct keeper *keeper = (struct keeper *)display;
+    for (unsigned row = 0; row < rows; row++)
+        for (unsigned x = 0; x < keeper->width; x++)
+            keeper->value[(y + row) * keeper->width + x] = ((const uint8_t *)pixels)[row * stride + x];
+    return 0;
+}
+
+static const struct hal_display_ops keeper_ops = {.flush = keep};
+
+/* Both pictures of a scene on black, in 1/255, and how they differ. */
+static struct compare_result measure(const char *path, unsigned shininess, enum glint_method_id method,
+                                     enum reference_method ideal)
+{
+    const struct pack_options pack = {.shininess = shininess};
+    const struct reference_options options = {.method = ideal, .grey = true};
+    struct pack_result packed;
+    struct reference_image truth;
+    struct compare_result result;
+    double milliseconds = 0;
+    assert_int_equal(pack_load(path, &pack, &packed), PACK_OK);
+    assert_true(reference_render(packed.scene, &options, &truth));
+    size_t pixels = (size_t)truth.width * truth.height;
+    struct keeper keeper = {{&keeper_ops}, truth.width, malloc(pixels * sizeof(double))};
+    struct renderer renderer = {
+        .method = method,
+        .config = {
+            .width = (uint16_t)truth.width, .height = (uint16_t)truth.height, .band_rows = 16, .format = GLINT_GREY8}};
+    assert_int_equal(renderer_open(&renderer, packed.scene), 0);
+    assert_int_equal(renderer_draw(&renderer, 0, &keeper.display, NULL, &milliseconds), 0);
+    for (size_t i = 0; i < pixels; i++) {
+        truth.value[i] *= 255;
+        if ((keeper.value[i] > 0) != truth.covered[i]) /* ambient light leaves no covered pixel black */
+            fail_msg("%s: pixel (%zu, %zu) is %s", path, i % truth.width, i / truth.width,
+                     truth.covered[i] ? "missing" : "drawn beside the surface");
+    }
+    assert_true(compare_values(keeper.value, truth.value, truth.covered, pixels, 1, &result));
+    print_message("%s n %u method %d against %d: %.2f dB, largest %.2f\n", path, shininess, method, ideal,
+                  result.psnr_db, result.max);
+    renderer_close(&renderer);
+    reference_free(&truth);
+    pack_free(&packed);
+    free(keeper.value);
+    return result;
+}
+
+static const char *const scenes[] = {
+    "tests/scenes/torus288.json",       "tests/scenes/torus800.json",        "tests/scenes/sphere690.json",
+    "tests/scenes/torus288-persp.json", "tests/scenes/torus800-persp.json",  "tests/scenes/sphere690-persp.json",
+    "tests/scenes/bench-torus288.json", "tests/scenes/bench-torus4000.json",
+};
+
+#define SCENES (sizeof scenes / sizeof *scenes)
+
+static void integer_gouraud_is_ideal_gouraud_rounded(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < SCENES; i++)
+        assert_true(measure(scenes[i], 0, GLINT_GOURAUD, REFERENCE_GOURAUD).max <= 1.5);
+}
+
+static void integer_x_is_ideal_x_rounded(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < SCENES; i++)
+        assert_true(measure(scenes[i], 0, GLINT_X, REFERENCE_X).max <= 1.5);
+}
+
+/* Without perspective: there it interpolates in the picture, the truth in space. */
+static void integer_phong_is_the_truth_rounded(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < 3; i++)
+        assert_true(measure(scenes[i], 0, GLINT_PHONG, REFERENCE_PHONG).max <= 1.5);
+}
+
+static void integer_x_is_as_near_to_the_truth_as_promised(void **state)
+{
+    (void)state;
+    assert_true(measure(scenes[0], 20, GLINT_X, REFERENCE_PHONG).psnr_db >= 48);
+    assert_true(measure(scenes[0], 50, GLINT_X, REFERENCE_PHONG).psnr_db >= 45.5);
+    assert_true(measure(scenes[0], 20, GLINT_GOURAUD, REFERENCE_PHONG).psnr_db < 32);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(integer_gouraud_is_ideal_gouraud_rounded),
+        cmocka_unit_test(integer_x_is_ideal_x_rounded),
+        cmocka_unit_test(integer_phong_is_the_truth_rounded),
+        cmocka_unit_test(integer_x_is_as_near_to_the_truth_as_promised),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
