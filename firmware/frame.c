@@ -3,6 +3,7 @@
 #include "frame.h"
 
 #include "geometry/clip.h"
+#include "geometry/project.h"
 #include "raster/raster.h"
 
 static const int16_t *record(const struct glint_frame *f, uint32_t vertex)
@@ -60,8 +61,8 @@ static void list_piece(struct glint_frame *f, const struct transform *transform,
     const int16_t *place[3];
     piece->source = (uint16_t)source;
     for (int k = 0; k < 3; k++) {
-        struct screen_point point;
-        if (!transform_project(transform, corner[k]->eye, &point)) {
+        struct screen_point point = {0, 0, 0};
+        if (!project(transform, corner[k]->eye, &point)) {
             f->stats.dropped++; /* the numbers do not reach this far: a plane's cut is kept inside by a sub-pixel */
             return;
         }
@@ -102,7 +103,12 @@ static void clip(struct glint_frame *f, const struct transform *transform, const
     }
 }
 
-static void list_object(struct glint_frame *f, const struct transform *transform, unsigned index)
+static int unplaced(const int16_t *const p[3])
+{
+    return p[0][VERTEX_X] == VERTEX_UNPLACED || p[1][VERTEX_X] == VERTEX_UNPLACED || p[2][VERTEX_X] == VERTEX_UNPLACED;
+}
+
+static void list_object(struct glint_frame *f, const struct transform *transform, unsigned index, int all_placed)
 {
     const struct object_state *object = &f->objects[index];
     const struct scene_mesh *mesh = object->mesh;
@@ -112,7 +118,7 @@ static void list_object(struct glint_frame *f, const struct transform *transform
     for (uint32_t i = 0; i < count; i++, triangle++) {
         const int16_t *const p[3] = {records + triangle->corner[0] * stride, records + triangle->corner[1] * stride,
                                      records + triangle->corner[2] * stride};
-        if (p[0][VERTEX_X] == VERTEX_UNPLACED || p[1][VERTEX_X] == VERTEX_UNPLACED || p[2][VERTEX_X] == VERTEX_UNPLACED)
+        if (!all_placed && unplaced(p))
             clip(f, transform, scene_at(f->scene, mesh->vertices), triangle, index, i);
         else
             list_triangle(f, p, index, i, 0);
@@ -138,9 +144,9 @@ static void add_object(struct glint_frame *f, const struct view *view, const str
     object->mesh = mesh;
     object->first_vertex = f->vertex_count;
     object_light_setup(object, f->scene, view, &pose, &to_eye, time_ms);
-    object_place_vertices(object, f->scene, &transform, f->light_count,
-                          f->vertices + (uint32_t)f->vertex_count * f->vertex_stride);
-    list_object(f, &transform, f->object_count);
+    int all_placed = object_place_vertices(object, f->scene, &transform, f->light_count,
+                                           f->vertices + (uint32_t)f->vertex_count * f->vertex_stride);
+    list_object(f, &transform, f->object_count, all_placed);
     f->vertex_count = (uint16_t)(f->vertex_count + mesh->vertex_count);
     f->object_count++;
 }

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "geometry/object.h"
 
+#include "geometry/project.h"
+
 static q14_t q14_of_q30(q30_t x)
 {
     /* |x| <= 2^30 (1 + 2^-18): the sum fits, the result is at most 16384. */
@@ -63,7 +65,8 @@ static inline int16_t dot_q14(const q14_t a[3], const q14_t b[3])
     return (int16_t)(dot > 16383 ? 16383 : dot < -16384 ? -16384 : dot);
 }
 
-void object_light_vertex(const struct object_state *object, unsigned lights, const q14_t normal[3], int16_t *record)
+/* N.L and N.H of a normal for each light, into a vertex record. */
+static inline void light_vertex(const struct object_state *object, unsigned lights, const q14_t normal[3], int16_t *record)
 {
     const struct object_light *light = object->light;
     for (int16_t *out = record + VERTEX_LIGHTS; lights; lights--, light++, out += 2) {
@@ -72,20 +75,20 @@ void object_light_vertex(const struct object_state *object, unsigned lights, con
     }
 }
 
-void object_place_vertices(const struct object_state *object, const struct scene_header *scene,
+int object_place_vertices(const struct object_state *object, const struct scene_header *scene,
                            const struct transform *transform, unsigned lights, int16_t *records)
 {
     const struct scene_vertex *vertex = scene_at(scene, object->mesh->vertices);
     unsigned stride = VERTEX_LIGHTS + 2 * lights;
+    int all = 1;
     for (uint32_t n = object->mesh->vertex_count; n; n--, vertex++, records += stride) {
-        struct screen_point point;
-        if (transform_project(transform, transform_point(transform, vertex->position), &point)) {
-            records[VERTEX_X] = point.x;
-            records[VERTEX_Y] = point.y;
-            records[VERTEX_DEPTH] = (int16_t)point.depth;
-        } else {
-            records[VERTEX_X] = VERTEX_UNPLACED;
-        }
-        object_light_vertex(object, lights, vertex->normal, records);
+        struct screen_point point = {0, 0, 0};
+        int placed = project(transform, transform_point(transform, vertex->position), &point);
+        records[VERTEX_X] = placed ? point.x : VERTEX_UNPLACED;
+        records[VERTEX_Y] = point.y;
+        records[VERTEX_DEPTH] = (int16_t)point.depth;
+        all &= placed;
+        light_vertex(object, lights, vertex->normal, records);
     }
+    return all;
 }

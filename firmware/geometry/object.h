@@ -33,11 +33,8 @@ struct object_state {
 void object_light_setup(struct object_state *object, const struct scene_header *scene, const struct view *view,
                         const struct pose *pose, const struct matrix *to_eye, uint32_t time_ms);
 
-/* N.L and N.H of a normal for each light, into a vertex record. */
-void object_light_vertex(const struct object_state *object, unsigned lights, const q14_t normal[3], int16_t *record);
-
-/* Fills the records of all of the mesh's vertices. */
-void object_place_vertices(const struct object_state *object, const struct scene_header *scene,
+/* Fills the records of all of the mesh's vertices: 1 if each could be placed. */
+int object_place_vertices(const struct object_state *object, const struct scene_header *scene,
                            const struct transform *transform, unsigned lights, int16_t *records);
 
 #endif

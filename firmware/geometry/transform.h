@@ -77,8 +77,4 @@ static inline struct eye_point transform_point(const struct transform *t, const 
     return e;
 }
 
-/* Projects a point: 1, or 0 where it lies before the near plane or outside the guard band. Positions are rounded to
- * nearest sub-pixel, ties up; the value before rounding errs by less than 2^-8 sub-pixel inside a 1024-pixel picture. */
-int transform_project(const struct transform *t, struct eye_point e, struct screen_point *out);
-
 #endif

@@ -18,9 +18,9 @@ static uint32_t spans(struct raster *r, struct edges *e)
     uint32_t hidden = 0, covered = 0;
     uint32_t z = pz->f + pz->e * (uint32_t)(e->row - r->setup.plane.oy);
     uint32_t row = (uint32_t)(e->row - r->y0) * r->width;
-    for (int rows; (rows = raster_spans(r, e)) != 0;) {
-        const struct span *span = r->span;
-        do {
+    do {
+        const struct span *span = r->span, *last = span + raster_spans(r, e);
+        for (; span != last; span++) {
             int n = span->x1 - span->x0;
             if (n > 0) {
                 uint32_t vz = z + dz * (uint32_t)(span->x0 - r->setup.plane.ox);
@@ -41,9 +41,8 @@ static uint32_t spans(struct raster *r, struct edges *e)
             }
             z += pz->e;
             row += r->width;
-            span++;
-        } while (--rows);
-    }
+        }
+    } while (e->row < e->last);
     return covered - hidden;
 }
 

@@ -23,9 +23,9 @@ static uint32_t spans(struct raster *r, struct edges *e)
     uint32_t z = pz->f + pz->e * j, red = pr->f + pr->e * j + half, green = pg->f + pg->e * j + half,
              blue = pb->f + pb->e * j + half;
     uint32_t row = (uint32_t)(e->row - r->y0) * r->width;
-    for (int rows; (rows = raster_spans(r, e)) != 0;) {
-        const struct span *span = r->span;
-        do {
+    do {
+        const struct span *span = r->span, *last = span + raster_spans(r, e);
+        for (; span != last; span++) {
             int n = span->x1 - span->x0;
             if (n > 0) {
                 uint32_t i = (uint32_t)(span->x0 - r->setup.plane.ox);
@@ -53,9 +53,8 @@ static uint32_t spans(struct raster *r, struct edges *e)
             green += pg->e;
             blue += pb->e;
             row += r->width;
-            span++;
-        } while (--rows);
-    }
+        }
+    } while (e->row < e->last);
     return covered - hidden;
 }
 

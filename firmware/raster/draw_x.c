@@ -31,33 +31,17 @@ static void shade_run(struct raster *r, int x, int y, int n)
     }
 }
 
-/* Rows of one channel, for the loops below: value and first difference where a span starts. */
-struct row {
-    uint32_t f, e, d;
-};
-
-static inline void row_begin(struct row *row, const struct polynomial *p, uint32_t j, int quadratic)
+/* A channel's value and first difference at column i, row j of its origin, for the loops below. Nothing is carried from
+ * row to row: half of a dense mesh's rows hold no pixel, and would pay for it. */
+static inline uint32_t start_value(const struct polynomial *p, uint32_t i, uint32_t j, int quadratic, uint32_t *step)
 {
-    row->f = p->f + p->e * j + (quadratic ? p->b * j * j : 0);
-    row->e = p->e + (quadratic ? p->b * (2 * j + 1) : 0);
-    row->d = p->d + (quadratic ? p->c * j : 0);
-}
-
-static inline void row_next(struct row *row, const struct polynomial *p, int quadratic)
-{
-    row->f += row->e;
-    if (quadratic) {
-        row->e += 2 * p->b;
-        row->d += p->c;
+    if (!quadratic) {
+        *step = p->d;
+        return p->f + p->e * j + p->d * i;
     }
-}
-
-static inline uint32_t start_value(const struct row *row, const struct polynomial *p, uint32_t i, int quadratic,
-                                 uint32_t *step)
-{
-    uint32_t ai = quadratic ? p->a * i : 0;
-    *step = row->d + 2 * ai + p->a;
-    return row->f + (row->d + ai) * i;
+    uint32_t d = p->d + p->c * j, ai = p->a * i;
+    *step = d + 2 * ai + p->a;
+    return p->f + (p->e + p->b * j) * j + (d + ai) * i;
 }
 
 /* The shape compilers know as a saturation. */
@@ -77,67 +61,54 @@ static inline __attribute__((always_inline)) uint32_t spans(struct raster *r, st
 {
     const struct shade_setup *setup = &r->setup;
     const struct polynomial *pz = &setup->depth.p, *pl = &setup->channel[0].p, *ph = &setup->channel[1].p;
-    const uint32_t al = 2 * pl->a, ah = 2 * ph->a, dz = pz->d;
-    const int down = 23 - r->surface.power->octave;
-    volatile uint32_t hidden = 0; /* few: kept out of the registers, which the loop needs */
-    uint32_t j = (uint32_t)(e->row - setup->plane.oy), covered = 0;
-    struct row z, l = {0, 0, 0}, h = {0, 0, 0};
-    row_begin(&z, pz, j, 0);
-    if (diffuse)
-        row_begin(&l, pl, j, quadratic);
-    if (highlight)
-        row_begin(&h, ph, j, quadratic);
-    uint32_t at = (uint32_t)(e->row - r->y0) * r->width;
+    const uint32_t al = 2 * pl->a, ah = 2 * ph->a, dz = pz->d, width = r->width;
+    const int down = 23 - r->surface.power->octave, ox = setup->plane.ox;
     /* One pointer for both stores: they have the same shape. */
     const uintptr_t to_pixels = (uintptr_t)r->pixels - (uintptr_t)r->depth;
-    for (int rows; (rows = raster_spans(r, e)) != 0;) {
-        const struct span *span = r->span;
-        do {
-            uint32_t n = (uint32_t)(span->x1 - span->x0);
-            if ((int32_t)n > 0) {
-                uint32_t i = (uint32_t)(span->x0 - setup->plane.ox), dl = 0, dh = 0, vl = 0, vh = 0;
-                uint32_t vz = z.f + dz * i;
-                if (diffuse)
-                    vl = start_value(&l, pl, i, quadratic, &dl);
-                if (highlight)
-                    vh = start_value(&h, ph, i, quadratic, &dh);
-                uint16_t *depth = r->depth + at + span->x0, *end = depth + n;
-                covered += n;
-                do {
-                    uint32_t nearer = vz >> 16;
-                    if (nearer > *depth) {
-                        const uint16_t *entry = colours;
-                        *depth = (uint16_t)nearer;
-                        if (highlight)
-                            entry += clamped((int32_t)vh >> down, TABLE_HIGHLIGHT - 1) * TABLE_DIFFUSE;
-                        if (diffuse)
-                            entry += clamped((int32_t)vl >> 24, TABLE_DIFFUSE - 1);
-                        *(uint16_t *)((uintptr_t)depth + to_pixels) = *entry;
-                    } else {
-                        hidden = hidden + 1;
-                    }
-                    fx_step(&vz, dz);
-                    if (diffuse) {
-                        vl += dl;
-                        if (quadratic)
-                            fx_step(&dl, al);
-                    }
-                    if (highlight) {
-                        vh += dh;
-                        if (quadratic)
-                            fx_step(&dh, ah);
-                    }
-                } while (++depth != end);
-            }
-            row_next(&z, pz, 0);
+    volatile uint32_t hidden = 0; /* few: kept out of the registers, which the loop needs */
+    uint32_t j = (uint32_t)(e->row - setup->plane.oy), covered = 0;
+    uint16_t *row = r->depth + (uint32_t)(e->row - r->y0) * width;
+    do {
+        const struct span *span = r->span, *last = span + raster_spans(r, e);
+        for (; span != last; span++, j++, row += width) {
+            int32_t n = span->x1 - span->x0;
+            if (n <= 0)
+                continue;
+            uint32_t i = (uint32_t)(span->x0 - ox), dl = 0, dh = 0, vl = 0, vh = 0;
+            uint32_t vz = pz->f + pz->e * j + dz * i;
             if (diffuse)
-                row_next(&l, pl, quadratic);
+                vl = start_value(pl, i, j, quadratic, &dl);
             if (highlight)
-                row_next(&h, ph, quadratic);
-            at += r->width;
-            span++;
-        } while (--rows);
-    }
+                vh = start_value(ph, i, j, quadratic, &dh);
+            uint16_t *depth = row + span->x0, *end = row + span->x1;
+            covered += (uint32_t)n;
+            do {
+                uint32_t nearer = vz >> 16;
+                if (nearer > *depth) {
+                    const uint16_t *entry = colours;
+                    *depth = (uint16_t)nearer;
+                    if (highlight)
+                        entry += clamped((int32_t)vh >> down, TABLE_HIGHLIGHT - 1) * TABLE_DIFFUSE;
+                    if (diffuse)
+                        entry += clamped((int32_t)vl >> 24, TABLE_DIFFUSE - 1);
+                    *(uint16_t *)((uintptr_t)depth + to_pixels) = *entry;
+                } else {
+                    hidden = hidden + 1;
+                }
+                fx_step(&vz, dz);
+                if (diffuse) {
+                    vl += dl;
+                    if (quadratic)
+                        fx_step(&dl, al);
+                }
+                if (highlight) {
+                    vh += dh;
+                    if (quadratic)
+                        fx_step(&dh, ah);
+                }
+            } while (++depth != end);
+        }
+    } while (e->row < e->last);
     return covered - hidden;
 }
 

@@ -1,55 +1,76 @@
 /* SPDX-License-Identifier: MIT */
 #include "raster/edges.h"
 
-/* The edge from (x, y), down by (dx, dy), dy > 0, at a row that it crosses. x is moved so that a column's centre is at
- * 16 * column. |x| <= 2^15, 0 <= y' <= dy <= 2^15, |dx| <= 2^15, and the crossing x + dx y'/dy lies between the ends:
- * x dy + dx y' is at most 2^15 dy <= 2^30 in size, though one product alone may be that large too. */
-static inline void edge_setup(struct edge *e, int32_t x, int32_t y, int32_t dx, int32_t dy, int32_t row_centre)
+/*
+ * The edge from (x, y), down by (dx, dy), dy > 0, at a row that it crosses: its first column is
+ * ceil((x + dx (centre - y) / dy) / 16), x being moved so that a column's centre is at 16 * column.
+ *
+ * |x| <= 2^15, 0 <= y' = centre - y <= dy <= 2^15, |dx| <= 2^15. The crossing lies between the ends, so x dy + dx y' is
+ * at most 2^15 dy <= 2^30 in size, though either product alone may be that large.
+ */
+static inline void edge_setup(struct edge *e, int32_t x, int32_t y, int32_t dx, int32_t dy, int32_t centre)
 {
-    int32_t den = dy << 4;
-    int32_t num = x * dy + (row_centre - y) * dx;
+    int32_t den = dy << 4, down = centre - y, slope, more;
+    fx_divmod_floor(dx, dy, &slope, &more);
     e->den = den;
-    fx_divmod_floor(num + den - 1, den, &e->column, &e->rest);
-    fx_divmod_floor(dx, dy, &e->column_step, &e->rest_step);
-    e->rest_step <<= 4;
+    e->column_step = slope;
+    e->rest_step = more << 4;
+    if (down < 16) {
+        /* dx = slope dy + more, so x + slope down whole sub-pixels and more down / dy < 16: the second division is a
+         * comparison or two. rest = (that & 15) dy + more down - 1 + den, in [den - 1, 3 den). */
+        int32_t whole = x + slope * down;
+        int32_t rest = (whole & 15) * dy + more * down - 1;
+        e->column = (whole >> 4) + 1;
+        if (rest < 0) {
+            rest += den;
+            e->column--;
+        } else if (rest >= den) {
+            rest -= den;
+            e->column++;
+        }
+        e->rest = rest;
+        return;
+    }
+    fx_divmod_floor(x * dy + down * dx + den - 1, den, &e->column, &e->rest);
 }
 
 int edges_setup(struct edges *e, const int16_t *const p[3], unsigned width, unsigned height, int32_t from, int32_t to)
 {
-    int32_t hw = 8 * (int32_t)width - 8, hh = 8 * (int32_t)height - 8; /* centres at 16 i */
-    int32_t x[3], y[3];
-    for (int i = 0; i < 3; i++) {
-        x[i] = p[i][0] + hw;
-        y[i] = p[i][1] + hh;
+    /* The top corner, and those that follow it: b clockwise, on the right, c on the left. */
+    const int16_t *a = p[0], *b = p[1], *c = p[2], *spare = a;
+    if (b[1] < a[1] && b[1] <= c[1]) {
+        a = b;
+        b = c;
+        c = spare;
+    } else if (c[1] < a[1]) {
+        a = c;
+        c = b;
+        b = spare;
     }
-    /* Corners in the order of y, keeping which way round they go. */
-    int a = y[0] <= y[1] ? (y[0] <= y[2] ? 0 : 2) : (y[1] <= y[2] ? 1 : 2);
-    int b = a == 2 ? 0 : a + 1, c = a == 0 ? 2 : a - 1;
-    int mid_is_right = y[b] < y[c]; /* clockwise: b follows the top corner on the right side */
-    int mid = mid_is_right ? b : c, bottom = mid_is_right ? c : b;
-
-    int32_t first = (y[a] + 15) >> 4;
-    e->middle = (y[mid] + 15) >> 4;
-    e->last = (y[bottom] + 15) >> 4;
-    e->row = first > from ? first : from;
-    if (e->last > to)
-        e->last = to;
-    if (e->row >= e->last)
+    const int32_t hw = 8 * (int32_t)width - 8, hh = 8 * (int32_t)height - 8; /* centres at 16 i */
+    const int32_t ax = a[0] + hw, ay = a[1] + hh, bx = b[0] + hw, by = b[1] + hh, cx = c[0] + hw, cy = c[1] + hh;
+    const int right_turns = by < cy;
+    const int32_t first = (ay + 15) >> 4, middle = ((right_turns ? by : cy) + 15) >> 4;
+    int32_t last = ((right_turns ? cy : by) + 15) >> 4;
+    const int32_t row = first > from ? first : from;
+    last = last < to ? last : to;
+    if (row >= last)
         return 0;
-
-    struct edge *longer = mid_is_right ? &e->left : &e->right, *shorter = mid_is_right ? &e->right : &e->left;
-    int32_t centre = e->row << 4;
-    e->lower_is_left = !mid_is_right;
-    e->lower_x = x[mid];
-    e->lower_y = y[mid];
-    e->lower_dx = x[bottom] - x[mid];
-    e->lower_dy = y[bottom] - y[mid];
-    edge_setup(longer, x[a], y[a], x[bottom] - x[a], y[bottom] - y[a], centre);
+    e->row = row;
+    e->middle = middle;
+    e->last = last;
+    e->lower_is_left = !right_turns;
     e->turned = 0;
-    int32_t w = 16 * (int32_t)width - 8; /* the last column's centre, and a little */
-    e->cut = x[0] < 0 || x[1] < 0 || x[2] < 0 || x[0] > w || x[1] > w || x[2] > w;
-    if (e->row < e->middle)
-        edge_setup(shorter, x[a], y[a], x[mid] - x[a], y[mid] - y[a], centre);
+    const int32_t w = 16 * (int32_t)width - 16; /* the last column's centre */
+    e->cut = ax < 0 || bx < 0 || cx < 0 || ax > w || bx > w || cx > w;
+    e->lower_x = right_turns ? bx : cx;
+    e->lower_y = right_turns ? by : cy;
+    e->lower_dx = right_turns ? cx - bx : bx - cx;
+    e->lower_dy = right_turns ? cy - by : by - cy;
+    if (right_turns || row < middle)
+        edge_setup(&e->left, ax, ay, cx - ax, cy - ay, row << 4);
+    if (!right_turns || row < middle)
+        edge_setup(&e->right, ax, ay, bx - ax, by - ay, row << 4);
     return 1;
 }
 

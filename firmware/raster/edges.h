@@ -38,7 +38,7 @@ static inline int32_t edges_first(int32_t v) { return (v + 7) >> 4; }
  */
 int edges_setup(struct edges *e, const int16_t *const p[3], unsigned width, unsigned height, int32_t from, int32_t to);
 
-/* The spans of the next rows, at most `most` of them: how many; 0 after the last. */
+/* The spans of the next rows, at most `most` of them: how many. */
 int edges_spans(struct edges *e, int width, struct span *out, int most);
 
 #endif

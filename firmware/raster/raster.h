@@ -68,7 +68,7 @@ void raster_write(struct raster *r, int x, int y, uint32_t mask);
 /* A colour in Q15 steps as the format has it. */
 uint32_t raster_colour(const struct raster *r, const uint32_t sum[3]);
 
-/* The next spans of the triangle, into r->span: how many. */
+/* The next spans of the triangle, into r->span: how many, at least 1 while e->row < e->last. */
 static inline int raster_spans(struct raster *r, struct edges *e) { return edges_spans(e, r->width, r->span, SPANS); }
 
 /* Fills the band with the background and its depth with the far end. */

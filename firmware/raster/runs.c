@@ -46,8 +46,10 @@ uint32_t raster_runs(struct raster *r, struct edges *e, raster_shade *shade)
 {
     uint32_t drawn = 0;
     int y = e->row;
-    for (int rows; (rows = raster_spans(r, e)) != 0;)
+    do {
+        int rows = raster_spans(r, e);
         for (int i = 0; i < rows; i++, y++)
             drawn += draw_span(r, y, r->span[i], shade);
+    } while (e->row < e->last);
     return drawn;
 }

@@ -38,6 +38,8 @@ int plane_setup(struct plane *plane, const int16_t *const p[3], unsigned width, 
     plane->scale = scale;
     plane->up = (int)fx_clz(plane->det);
     plane->r = fx_recip_norm(plane->det << plane->up);
+    plane->half = (int32_t)(plane->r >> 1);
+    plane->shift = plane->scale + plane->up - 14;
     plane->sliver = plane->det < MIN_DET_LINEAR;
 
     int32_t left = x0 + 8 * (int32_t)width, top = y0 + 8 * (int32_t)height;
@@ -70,10 +72,16 @@ static inline uint32_t shifted(int32_t x, int up)
 static inline void gradient(const struct plane *p, int32_t d1, int32_t d2, uint32_t *gx, uint32_t *gy)
 {
     /* n * 2^(16 + scale) / det = n * (r / 2^33) * 2^(scale + up - 14) */
-    int32_t half = (int32_t)(p->r >> 1);
-    int up = p->scale + p->up - 14;
-    *gx = shifted(fx_mulhi_s32(d1 * p->y2 - d2 * p->y1, half), up);
-    *gy = shifted(fx_mulhi_s32(d2 * p->x1 - d1 * p->x2, half), up);
+    int32_t x = fx_mulhi_s32(d1 * p->y2 - d2 * p->y1, p->half), y = fx_mulhi_s32(d2 * p->x1 - d1 * p->x2, p->half);
+    int up = p->shift; /* -11..15 */
+    if (up >= 0) {
+        *gx = (uint32_t)x << up;
+        *gy = (uint32_t)y << up;
+    } else {
+        int32_t round = 1 << (-up - 1);
+        *gx = (uint32_t)((x + round) >> -up);
+        *gy = (uint32_t)((y + round) >> -up);
+    }
 }
 
 static void keep_corners(struct channel *channel, const int32_t value[3], const int32_t bulge[3])

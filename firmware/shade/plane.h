@@ -24,6 +24,8 @@ struct plane {
     uint32_t det;           /* x1 y2 - x2 y1 of those, in (0, 2^29) */
     uint32_t r;             /* 2^63 / (det << up) */
     int scale, up;
+    int32_t half;           /* r / 2 */
+    int shift;              /* scale + up - 14 */
     int ox, oy; /* the origin pixel */
     int fx, fy; /* its centre from corner 0, 1/16 pixel, -7..8 */
     int sliver; /* no polynomial is accurate enough over it */

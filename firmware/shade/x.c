@@ -55,8 +55,9 @@ static uint32_t highlight_slack(const struct surface *s, unsigned light, int32_t
     return surface_diffuse(change, s->light[light].specular_most) >> 7;
 }
 
-/* One dot product of a light over the triangle, where it can show. Returns 0 if not. */
-static int interpolate(struct shade_setup *setup, const struct shade_input *in, unsigned light, unsigned highlight,
+/* One dot product of a light over the triangle, where it can show. Returns 0 if not. Twice a triangle and light, with
+ * `highlight` constant. */
+static inline __attribute__((always_inline)) int interpolate(struct shade_setup *setup, const struct shade_input *in, unsigned light, unsigned highlight,
                        int32_t curl)
 {
     const struct surface *s = in->surface;

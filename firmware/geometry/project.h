@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: MIT */
+/* The divide, and the rounding to the screen: inline, as it runs once a vertex. */
+#ifndef GLINT_PROJECT_H
+#define GLINT_PROJECT_H
+
+#include "geometry/transform.h"
+
+/* v * 2^-down rounded to nearest, ties up; 0 if the result leaves the guard band. |v| < 2^29. */
+static inline int project_round(int32_t v, int down, int16_t *out)
+{
+    if (down <= 0) { /* numbers of a vertex far nearer than its object's size */
+        *out = 0;
+        if (down < -14 || v > (GUARD >> -down) || v < -(GUARD >> -down))
+            return 0;
+        *out = (int16_t)(v * (1 << -down));
+        return 1;
+    }
+    if (down > 30) {
+        *out = 0; /* less than a quarter of a sub-pixel */
+        return 1;
+    }
+    v = (v + (1 << (down - 1))) >> down; /* the half below 2^30 */
+    *out = (int16_t)v;
+    return (uint32_t)(v + GUARD) <= 2 * GUARD;
+}
+
+static inline int project_orthographic(const struct transform *t, struct eye_point e, struct screen_point *out)
+{
+    uint32_t to_far = e.z < t->far_z ? (uint32_t)(t->far_z - e.z) : 0;
+    /* to_far is below 2^(32 - up) where depth_shift = 47 - up: moved up to 32 bits it is below 2^32, and the product is
+     * the depth times 2^(47 - up), less the 32 bits that mulhi drops. */
+    unsigned up = t->depth_shift < 32 ? 32u - (unsigned)t->depth_shift : 0, down = t->depth_shift > 32 ? (unsigned)t->depth_shift - 32 : 0;
+    uint32_t depth = fx_mulhi_u32(to_far << up, t->depth_scale) >> down;
+    depth = depth > DEPTH_NEAR - DEPTH_FAR ? DEPTH_NEAR - DEPTH_FAR : depth;
+    out->depth = (uint16_t)(DEPTH_FAR + depth);
+    return project_round(e.x, t->shift, &out->x) & project_round(e.y, t->shift, &out->y);
+}
+
+static inline int project_perspective(const struct transform *t, struct eye_point e, struct screen_point *out)
+{
+    /* 1 <= z < 2^29: up in 3..31. r = 2^63 / (z 2^up). */
+    unsigned up = fx_clz((uint32_t)e.z);
+    uint32_t r = fx_recip_norm((uint32_t)e.z << up);
+    /* near_z <= z, so up <= depth_shift: the ratio in Q(31 + depth_shift - up), at most 1; wanted in Q16. */
+    unsigned down = 15u + (unsigned)t->depth_shift - up;
+    uint32_t q16 = down < 32 ? fx_mulhi_u32(t->depth_scale, r) >> down : 0;
+    q16 = q16 > 65535 ? 65535 : q16;
+    out->depth = (uint16_t)(DEPTH_FAR + ((q16 * (uint32_t)(DEPTH_NEAR - DEPTH_FAR)) >> 16));
+    /* x / z in units of 2^-(30 - up), |.| < |x| / 2. */
+    int32_t half = (int32_t)(r >> 1);
+    int shift = t->shift - (int)up;
+    return project_round(fx_mulhi_s32(e.x, half), shift, &out->x) & project_round(fx_mulhi_s32(e.y, half), shift, &out->y);
+}
+
+/* Projects a point: 1, or 0 where it lies before the near plane or outside the guard band. Positions are rounded to
+ * nearest sub-pixel, ties up; the value before rounding errs by less than 2^-8 sub-pixel inside a 1024-pixel picture. */
+static inline int project(const struct transform *t, struct eye_point e, struct screen_point *out)
+{
+    if (e.z < t->near_z)
+        return 0;
+    return t->divide ? project_perspective(t, e, out) : project_orthographic(t, e, out);
+}
+
+#endif
