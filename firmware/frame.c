@@ -50,8 +50,8 @@ static inline void list_triangle(struct glint_frame *f, const int16_t *const p[3
 }
 
 /* Stores one piece of a clipped triangle, or not at all. */
-static void list_piece(struct glint_frame *f, const struct transform *transform, const struct clip_corner *const corner[3],
-                       unsigned object, unsigned source)
+static void list_piece(struct glint_frame *f, const struct transform *transform,
+                       const struct clip_corner *const corner[3], unsigned object, unsigned source)
 {
     if (f->clipped_count == f->config.max_clipped) {
         f->stats.dropped++;
@@ -125,7 +125,8 @@ static void list_object(struct glint_frame *f, const struct transform *transform
     }
 }
 
-static void add_object(struct glint_frame *f, const struct view *view, const struct scene_object *source, uint32_t time_ms)
+static void add_object(struct glint_frame *f, const struct view *view, const struct scene_object *source,
+                       uint32_t time_ms)
 {
     const struct scene_mesh *mesh = scene_meshes(f->scene) + source->mesh;
     struct transform transform;
@@ -136,7 +137,8 @@ static void add_object(struct glint_frame *f, const struct view *view, const str
         f->stats.rejected += mesh->triangle_count;
         return;
     }
-    if (f->object_count == f->config.max_objects || mesh->vertex_count > (uint32_t)(f->config.max_vertices - f->vertex_count)) {
+    if (f->object_count == f->config.max_objects ||
+        mesh->vertex_count > (uint32_t)(f->config.max_vertices - f->vertex_count)) {
         f->stats.dropped += mesh->triangle_count;
         return;
     }

@@ -41,7 +41,7 @@ extern const struct glint_method glint_phong;   /* normal interpolated and norma
 enum glint_method_id { GLINT_FLAT, GLINT_GOURAUD, GLINT_X, GLINT_PHONG, GLINT_METHODS };
 
 /* flags */
-#define GLINT_DITHER 1u /* ordered 4x4 dither for RGB565 and GREY4 */
+#define GLINT_DITHER  1u /* ordered 4x4 dither for RGB565 and GREY4 */
 #define GLINT_NO_PLAN 2u /* compute every effect, even those that cannot show; the picture is the same */
 
 struct glint_config {
@@ -51,30 +51,30 @@ struct glint_config {
     uint8_t flags;          /* GLINT_DITHER, GLINT_NO_PLAN */
     const struct glint_method *method;
 
-    void *band[2];       /* glint_band_bytes() each, aligned to 4; band[1] may be null: then band[0] serves every time */
-    void *memory;        /* glint_memory_needed() bytes, aligned as a pointer, untouched by the caller until the last frame */
+    void *band[2]; /* glint_band_bytes() each, aligned to 4; band[1] may be null: then band[0] serves every time */
+    void *memory;  /* glint_memory_needed() bytes, aligned as a pointer, untouched by the caller until the last frame */
     size_t memory_bytes;
 
-    uint16_t max_vertices;  /* stores: what does not fit is dropped whole and counted */
+    uint16_t max_vertices; /* stores: what does not fit is dropped whole and counted */
     uint16_t max_triangles;
-    uint16_t max_clipped;   /* triangles made by clipping, at any one time a few: 64 suits most scenes */
+    uint16_t max_clipped; /* triangles made by clipping, at any one time a few: 64 suits most scenes */
     uint8_t max_objects;
-    uint8_t max_lights;     /* 0..8; a scene with more is not drawn (GLINT_E_SCENE) */
-    uint8_t tables;         /* 16 KiB colour tables, one a material under one light: RGB565's fast path. 0: none */
+    uint8_t max_lights; /* 0..8; a scene with more is not drawn (GLINT_E_SCENE) */
+    uint8_t tables;     /* 16 KiB colour tables, one a material under one light: RGB565's fast path. 0: none */
 };
 
 /* What a frame did. Counts begin anew with each frame; the pixel counts grow with each band. */
 struct glint_stats {
-    uint32_t triangles;           /* in all objects */
-    uint32_t culled;              /* facing away, or without area on the pixel grid */
-    uint32_t rejected;            /* wholly outside the view */
-    uint32_t clipped;             /* cut at the near plane or the guard band */
-    uint32_t dropped;             /* no room in a store */
-    uint32_t drawn[GLINT_METHODS]; /* by the method they were drawn with */
+    uint32_t triangles;             /* in all objects */
+    uint32_t culled;                /* facing away, or without area on the pixel grid */
+    uint32_t rejected;              /* wholly outside the view */
+    uint32_t clipped;               /* cut at the near plane or the guard band */
+    uint32_t dropped;               /* no room in a store */
+    uint32_t drawn[GLINT_METHODS];  /* by the method they were drawn with */
     uint32_t pixels[GLINT_METHODS]; /* that passed the depth test, by method */
-    uint32_t specular_triangles;  /* of the drawn: those a highlight can reach */
-    uint32_t linear_triangles;    /* of the drawn by X: those whose bend cannot show */
-    uint32_t setups;              /* triangle set-ups: one a triangle and band that it touches */
+    uint32_t specular_triangles;    /* of the drawn: those a highlight can reach */
+    uint32_t linear_triangles;      /* of the drawn by X: those whose bend cannot show */
+    uint32_t setups;                /* triangle set-ups: one a triangle and band that it touches */
 };
 
 struct glint_band {
@@ -95,7 +95,8 @@ struct glint_frame {
     uint8_t light_count;
     uint16_t vertex_stride; /* int16_t a vertex record */
     uint16_t vertex_count, triangle_count, clipped_count, object_count;
-    uint16_t active, queued; /* of order[]: [0, active) reach below the last band, [queued, triangle_count) are to come */
+    uint16_t active,
+        queued; /* of order[]: [0, active) reach below the last band, [queued, triangle_count) are to come */
     struct object_state *objects;
     int16_t *vertices;
     struct triangle_ref *triangles;

@@ -3,7 +3,10 @@
 #include "frame.h"
 #include "raster/raster.h"
 
-static size_t words(size_t bytes) { return (bytes + 3) & ~(size_t)3; }
+static size_t words(size_t bytes)
+{
+    return (bytes + 3) & ~(size_t)3;
+}
 
 static int valid(const struct glint_config *c)
 {
@@ -25,18 +28,21 @@ size_t glint_row_bytes(const struct glint_config *c)
     }
 }
 
-size_t glint_band_bytes(const struct glint_config *c) { return words(glint_row_bytes(c) * c->band_rows); }
+size_t glint_band_bytes(const struct glint_config *c)
+{
+    return words(glint_row_bytes(c) * c->band_rows);
+}
 
 /* Hands out the memory in order; with f null it only counts. Everything is a multiple of 4, pointers first. */
 static size_t divide(const struct glint_config *c, struct glint_frame *f)
 {
     uint8_t *base = f ? c->memory : 0;
     size_t at = 0;
-#define TAKE(member, bytes)                          \
-    do {                                             \
-        if (f)                                       \
-            f->member = (void *)(base + at);         \
-        at += words(bytes);                          \
+#define TAKE(member, bytes)                  \
+    do {                                     \
+        if (f)                               \
+            f->member = (void *)(base + at); \
+        at += words(bytes);                  \
     } while (0)
     TAKE(raster, sizeof(struct raster));
     TAKE(raster->table, c->tables * sizeof(struct colour_table));
@@ -51,7 +57,10 @@ static size_t divide(const struct glint_config *c, struct glint_frame *f)
     return at;
 }
 
-size_t glint_memory_needed(const struct glint_config *c) { return valid(c) ? divide(c, 0) : 0; }
+size_t glint_memory_needed(const struct glint_config *c)
+{
+    return valid(c) ? divide(c, 0) : 0;
+}
 
 static struct palette palette_of(enum glint_format format)
 {
@@ -88,7 +97,10 @@ int glint_init(struct glint_frame *f, const struct glint_config *c)
     return 0;
 }
 
-static uint16_t at_most(uint32_t x, uint32_t limit) { return (uint16_t)(x < limit ? x : limit); }
+static uint16_t at_most(uint32_t x, uint32_t limit)
+{
+    return (uint16_t)(x < limit ? x : limit);
+}
 
 void glint_fit_stores(struct glint_config *c, const void *scene)
 {
@@ -108,6 +120,12 @@ void glint_fit_stores(struct glint_config *c, const void *scene)
     c->max_lights = (uint8_t)at_most(s->light_count, SCENE_MAX_LIGHTS);
 }
 
-int glint_scene_check(const void *scene, size_t size) { return scene_check(scene, size) ? GLINT_E_SCENE : 0; }
+int glint_scene_check(const void *scene, size_t size)
+{
+    return scene_check(scene, size) ? GLINT_E_SCENE : 0;
+}
 
-const char *glint_scene_problem(const void *scene, size_t size) { return scene_fault_text(scene_check(scene, size)); }
+const char *glint_scene_problem(const void *scene, size_t size)
+{
+    return scene_fault_text(scene_check(scene, size));
+}

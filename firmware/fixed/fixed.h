@@ -99,8 +99,8 @@ static inline unsigned fx_clz_narrow(uint32_t x)
     return x >> 1 ? n - 2 : n - x;
 }
 
-/* *x += step modulo 2^32, for loops that hold more steps than an ARMv6-M has low registers: its compilers would load each
- * step from the stack for every pixel, though an addition reads a high register as well. */
+/* *x += step modulo 2^32, for loops that hold more steps than an ARMv6-M has low registers: its compilers would load
+ * each step from the stack for every pixel, though an addition reads a high register as well. */
 FX_WRAPS static inline __attribute__((always_inline)) void fx_step(uint32_t *x, uint32_t step)
 {
 #if FX_NARROW && defined(__thumb__)

@@ -54,7 +54,8 @@ static void clip_plane(const struct transform *t, int plane, const struct clip_p
     for (int i = 0; i < from->count; i++) {
         const struct clip_corner *a = &from->corner[i], *b = &from->corner[i + 1 == from->count ? 0 : i + 1];
         int64_t da = inside(t, &a->eye, plane), db = inside(t, &b->eye, plane);
-        /* A convex polygon gains at most one corner a plane; the bound keeps rounding from ever writing past the end. */
+        /* A convex polygon gains at most one corner a plane; the bound keeps rounding from ever writing past the end.
+         */
         if (da >= 0 && to->count < CLIP_MAX_CORNERS)
             to->corner[to->count++] = *a;
         if ((da < 0) != (db < 0) && to->count < CLIP_MAX_CORNERS) {

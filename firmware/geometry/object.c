@@ -19,7 +19,8 @@ static void to_object(const struct matrix *to_eye, const q30_t v[3], q14_t out[3
 }
 
 /* From the object to the eye: along +z at infinity, or from where it is. */
-static void towards_eye(const struct scene_header *scene, const struct view *view, const struct pose *pose, q30_t out[3])
+static void towards_eye(const struct scene_header *scene, const struct view *view, const struct pose *pose,
+                        q30_t out[3])
 {
     if (scene->camera.viewer == VIEWER_INFINITE) {
         out[0] = out[1] = 0;
@@ -66,7 +67,8 @@ static inline int16_t dot_q14(const q14_t a[3], const q14_t b[3])
 }
 
 /* N.L and N.H of a normal for each light, into a vertex record. */
-static inline void light_vertex(const struct object_state *object, unsigned lights, const q14_t normal[3], int16_t *record)
+static inline void light_vertex(const struct object_state *object, unsigned lights, const q14_t normal[3],
+                                int16_t *record)
 {
     const struct object_light *light = object->light;
     for (int16_t *out = record + VERTEX_LIGHTS; lights; lights--, light++, out += 2) {
@@ -76,7 +78,7 @@ static inline void light_vertex(const struct object_state *object, unsigned ligh
 }
 
 int object_place_vertices(const struct object_state *object, const struct scene_header *scene,
-                           const struct transform *transform, unsigned lights, int16_t *records)
+                          const struct transform *transform, unsigned lights, int16_t *records)
 {
     const struct scene_vertex *vertex = scene_at(scene, object->mesh->vertices);
     unsigned stride = VERTEX_LIGHTS + 2 * lights;

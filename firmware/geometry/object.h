@@ -35,6 +35,6 @@ void object_light_setup(struct object_state *object, const struct scene_header *
 
 /* Fills the records of all of the mesh's vertices: 1 if each could be placed. */
 int object_place_vertices(const struct object_state *object, const struct scene_header *scene,
-                           const struct transform *transform, unsigned lights, int16_t *records);
+                          const struct transform *transform, unsigned lights, int16_t *records);
 
 #endif

@@ -29,7 +29,8 @@ static inline int project_orthographic(const struct transform *t, struct eye_poi
     uint32_t to_far = e.z < t->far_z ? (uint32_t)(t->far_z - e.z) : 0;
     /* to_far is below 2^(32 - up) where depth_shift = 47 - up: moved up to 32 bits it is below 2^32, and the product is
      * the depth times 2^(47 - up), less the 32 bits that mulhi drops. */
-    unsigned up = t->depth_shift < 32 ? 32u - (unsigned)t->depth_shift : 0, down = t->depth_shift > 32 ? (unsigned)t->depth_shift - 32 : 0;
+    unsigned up = t->depth_shift < 32 ? 32u - (unsigned)t->depth_shift : 0,
+             down = t->depth_shift > 32 ? (unsigned)t->depth_shift - 32 : 0;
     uint32_t depth = fx_mulhi_u32(to_far << up, t->depth_scale) >> down;
     depth = depth > DEPTH_NEAR - DEPTH_FAR ? DEPTH_NEAR - DEPTH_FAR : depth;
     out->depth = (uint16_t)(DEPTH_FAR + depth);
@@ -49,11 +50,13 @@ static inline int project_perspective(const struct transform *t, struct eye_poin
     /* x / z in units of 2^-(30 - up), |.| < |x| / 2. */
     int32_t half = (int32_t)(r >> 1);
     int shift = t->shift - (int)up;
-    return project_round(fx_mulhi_s32(e.x, half), shift, &out->x) & project_round(fx_mulhi_s32(e.y, half), shift, &out->y);
+    return project_round(fx_mulhi_s32(e.x, half), shift, &out->x) &
+           project_round(fx_mulhi_s32(e.y, half), shift, &out->y);
 }
 
 /* Projects a point: 1, or 0 where it lies before the near plane or outside the guard band. Positions are rounded to
- * nearest sub-pixel, ties up; the value before rounding errs by less than 2^-8 sub-pixel inside a 1024-pixel picture. */
+ * nearest sub-pixel, ties up; the value before rounding errs by less than 2^-8 sub-pixel inside a 1024-pixel picture.
+ */
 static inline int project(const struct transform *t, struct eye_point e, struct screen_point *out)
 {
     if (e.z < t->near_z)

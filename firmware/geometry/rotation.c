@@ -2,7 +2,10 @@
 #include "geometry/rotation.h"
 
 /* A few of these a frame and object, so 64-bit products are fine even where they are library calls. */
-static q30_t round_q60(int64_t x) { return (q30_t)((x + (INT64_C(1) << 29)) >> 30); }
+static q30_t round_q60(int64_t x)
+{
+    return (q30_t)((x + (INT64_C(1) << 29)) >> 30);
+}
 
 struct rotation rotation_product(const struct rotation *a, const struct rotation *b)
 {
@@ -61,7 +64,7 @@ static uint32_t inverse_length(uint64_t squared, int *exponent)
     }
     uint32_t m = (uint32_t)squared, r = fx_rsqrt_norm(m);
     /* Newton: r' = r (3 - v r^2) / 2, v = m / 2^30 in [1, 4), v r^2 near 1: kept in Q30. */
-    uint32_t r2 = fx_mulhi_u32(r, r);      /* Q30, at most 2^30 */
+    uint32_t r2 = fx_mulhi_u32(r, r);        /* Q30, at most 2^30 */
     uint32_t vr2 = fx_mulhi_u32(m, r2) << 2; /* Q28 -> Q30, near 2^30 */
     int64_t correction = (int64_t)(3u << 30) - vr2;
     r = (uint32_t)(((int64_t)r * correction) >> 31);
@@ -180,7 +183,8 @@ struct pose pose_at(const struct scene_header *scene, const struct scene_object 
     return p;
 }
 
-void light_vector_at(const struct scene_header *scene, const struct scene_light *light, uint32_t time_ms, int32_t out[3])
+void light_vector_at(const struct scene_header *scene, const struct scene_light *light, uint32_t time_ms,
+                     int32_t out[3])
 {
     struct pose p;
     switch (light->motion.kind) {

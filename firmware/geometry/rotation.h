@@ -42,6 +42,7 @@ struct rotation rotation_spin(const q30_t axis[3], q16_t rate, uint32_t time_ms)
 struct pose pose_at(const struct scene_header *scene, const struct scene_object *object, uint32_t time_ms);
 
 /* A light's vector at a time (scene_light: Q30 direction or Q16 position). */
-void light_vector_at(const struct scene_header *scene, const struct scene_light *light, uint32_t time_ms, int32_t out[3]);
+void light_vector_at(const struct scene_header *scene, const struct scene_light *light, uint32_t time_ms,
+                     int32_t out[3]);
 
 #endif

@@ -10,7 +10,10 @@ static int bits(uint64_t x)
     return n;
 }
 
-static int64_t magnitude(int64_t x) { return x < 0 ? -x : x; }
+static int64_t magnitude(int64_t x)
+{
+    return x < 0 ? -x : x;
+}
 
 /* x * 2^-down, rounded to nearest; down < 0 multiplies. */
 static int64_t scaled(int64_t x, int down)
@@ -65,7 +68,8 @@ static void depth_setup(struct transform *t)
         t->depth_shift = (int)up;
         return;
     }
-    /* (far - z) * scale >> 32 with scale = span * 2^(32 - up) / range; range is first shifted so that the scale fits. */
+    /* (far - z) * scale >> 32 with scale = span * 2^(32 - up) / range; range is first shifted so that the scale fits.
+     */
     uint32_t range = (uint32_t)(t->far_z - t->near_z);
     range = range ? range : 1;
     unsigned up = fx_clz(range);
@@ -73,8 +77,8 @@ static void depth_setup(struct transform *t)
     t->depth_shift = (int)(47 - up); /* depth = (far - z) * depth_scale >> depth_shift */
 }
 
-int transform_setup(struct transform *out, const struct view *view, const struct scene_mesh *mesh, const struct pose *pose,
-                    struct matrix *to_eye)
+int transform_setup(struct transform *out, const struct view *view, const struct scene_mesh *mesh,
+                    const struct pose *pose, struct matrix *to_eye)
 {
     struct rotation rotation = rotation_product(&view->rotation, &pose->rotation);
     struct matrix world = rotation_matrix(&pose->rotation);
@@ -120,8 +124,9 @@ int transform_setup(struct transform *out, const struct view *view, const struct
     /* The planes may lie far outside the sphere: then they cut nothing, and are held inside the row's range. */
     const int64_t limit = (INT64_C(1) << 30) - 1;
     int64_t near_z = scaled((int64_t)view->near_plane, 16 - z_exponent);
-    int64_t far_z = bits((uint64_t)view->far_plane) + z_exponent - 16 > 30 ? limit
-                                                                          : scaled((int64_t)view->far_plane, 16 - z_exponent);
+    int64_t far_z = bits((uint64_t)view->far_plane) + z_exponent - 16 > 30
+                        ? limit
+                        : scaled((int64_t)view->far_plane, 16 - z_exponent);
     out->near_z = (int32_t)(near_z < 1 ? 1 : near_z > limit ? limit : near_z);
     out->far_z = (int32_t)far_z;
 
@@ -140,7 +145,7 @@ int transform_setup(struct transform *out, const struct view *view, const struct
         spare = spare > 0 ? spare : 0;
         int64_t t = sign * scaled(scaled(eye[i], spare) * view->focal, 0);
         axis_setup(i ? &out->y : &out->x, coefficient, unit_exponent - 1 + view->focal_exponent - 16, t,
-                  24 - spare + view->focal_exponent, xy_exponent);
+                   24 - spare + view->focal_exponent, xy_exponent);
     }
 
     out->divide = view->kind == CAMERA_PERSPECTIVE;

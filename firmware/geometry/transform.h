@@ -61,8 +61,8 @@ void view_setup(struct view *view, const struct scene_header *scene, uint16_t wi
 
 /* The transform of a mesh in a pose; 0 if all of its bounding sphere lies before the near plane, behind the far
  * plane, or out of the numbers' range. `world` receives the matrix from mesh axes to eye axes. */
-int transform_setup(struct transform *out, const struct view *view, const struct scene_mesh *mesh, const struct pose *pose,
-                    struct matrix *to_eye);
+int transform_setup(struct transform *out, const struct view *view, const struct scene_mesh *mesh,
+                    const struct pose *pose, struct matrix *to_eye);
 
 static inline int32_t axis_value(const struct axis *r, int32_t px, int32_t py, int32_t pz)
 {

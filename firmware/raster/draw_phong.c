@@ -8,12 +8,12 @@ static void normalise(struct raster *r, int n)
 {
     for (int i = 0; i < n; i++) {
         int32_t x = r->value[0][i] >> 15, y = r->value[1][i] >> 15, z = r->value[2][i] >> 15; /* Q15 */
-        uint32_t squared = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z); /* Q30, below 2^31 */
+        uint32_t squared = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);         /* Q30, below 2^31 */
         if (squared < 1u << 18) {
             r->value[0][i] = r->value[1][i] = r->value[2][i] = 0;
             continue;
         }
-        unsigned up = fx_clz(squared) & ~1u;                      /* to [2^30, 2^32) by a square's factor */
+        unsigned up = fx_clz(squared) & ~1u;                            /* to [2^30, 2^32) by a square's factor */
         int32_t inverse = (int32_t)(fx_rsqrt_norm(squared << up) >> 1); /* Q30, at most 2^30 */
         /* |v| 2^(up / 2) < 2^16; Q15 * Q30 / 2^32 and 2 bits more: Q15 */
         unsigned half = up / 2 + 2;
@@ -60,6 +60,9 @@ static void shade_run(struct raster *r, int x, int y, int n)
     }
 }
 
-static uint32_t draw(struct raster *r, struct edges *e) { return raster_runs(r, e, shade_run); }
+static uint32_t draw(struct raster *r, struct edges *e)
+{
+    return raster_runs(r, e, shade_run);
+}
 
 const struct glint_method glint_phong = {GLINT_PHONG, shade_phong, draw};

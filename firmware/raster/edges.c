@@ -85,7 +85,8 @@ static inline void step(int32_t *column, int32_t *rest, const struct edge *e)
     }
 }
 
-/* Spans of the rows to `stop`, in which neither side turns. A side is stepped once past its end, which nothing reads. */
+/* Spans of the rows to `stop`, in which neither side turns. A side is stepped once past its end, which nothing reads.
+ */
 static inline void rows(struct edges *e, struct span *out, int32_t stop)
 {
     const struct edge left = e->left, right = e->right;

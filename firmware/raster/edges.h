@@ -30,7 +30,10 @@ struct span {
 };
 
 /* The first row (or column) whose centre, at 16 i + 8, is not before v: v in 28.4 from the picture's corner. */
-static inline int32_t edges_first(int32_t v) { return (v + 7) >> 4; }
+static inline int32_t edges_first(int32_t v)
+{
+    return (v + 7) >> 4;
+}
 
 /*
  * Starts at the row `from` or the triangle's first, whichever is lower. Corners are p[k] = x, y, 28.4 from the

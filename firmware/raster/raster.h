@@ -34,7 +34,7 @@ struct raster {
     uint16_t *depth; /* of the band, width a row */
     struct palette palette;
     struct surface surface;
-    uint16_t surface_material; /* which one `surface` holds; 0xffff: none */
+    uint16_t surface_material;                /* which one `surface` holds; 0xffff: none */
     const struct colour_table *surface_table; /* made for `surface`; null: none, or not looked for yet */
     struct colour_table *table;
     /* the triangle in hand */
@@ -69,7 +69,10 @@ void raster_write(struct raster *r, int x, int y, uint32_t mask);
 uint32_t raster_colour(const struct raster *r, const uint32_t sum[3]);
 
 /* The next spans of the triangle, into r->span: how many, at least 1 while e->row < e->last. */
-static inline int raster_spans(struct raster *r, struct edges *e) { return edges_spans(e, r->width, r->span, SPANS); }
+static inline int raster_spans(struct raster *r, struct edges *e)
+{
+    return edges_spans(e, r->width, r->span, SPANS);
+}
 
 /* Fills the band with the background and its depth with the far end. */
 void raster_clear(struct raster *r, const struct scene_header *scene);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Colour tables: for RGB565 under one light, the finished colour of every pair (N.L, N.H) in steps fine enough not to be
- * seen, so that clamp, power, sum and packing of a pixel are one load.
+ * Colour tables: for RGB565 under one light, the finished colour of every pair (N.L, N.H) in steps fine enough not to
+ * be seen, so that clamp, power, sum and packing of a pixel are one load.
  *
  * N.L is in steps of 1/64, entry i for [i - 1/2, i + 1/2) / 64; N.H in steps of 2^-(7 + octave) over the part of [0, 1]
  * where the power shows, entry j likewise, entry 0 for everything below.

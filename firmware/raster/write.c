@@ -31,7 +31,10 @@ static uint32_t pack(const struct raster *r, const uint32_t sum[3], uint32_t thr
     return first << 16 | second << 8 | third;
 }
 
-uint32_t raster_colour(const struct raster *r, const uint32_t sum[3]) { return pack(r, sum, HALF_STEP); }
+uint32_t raster_colour(const struct raster *r, const uint32_t sum[3])
+{
+    return pack(r, sum, HALF_STEP);
+}
 
 static void put(const struct raster *r, uint8_t *row, int x, uint32_t colour)
 {
@@ -66,7 +69,8 @@ static void fill(uint32_t *to, uint32_t word, uint32_t bytes)
 {
     uint32_t *end = to + bytes / 4, *last = to + bytes / 4 / 8 * 8;
 #if defined(__thumb__)
-    /* Store-multiple, which compilers do not make of a loop: half a store's cycles and an eighth of the instructions. */
+    /* Store-multiple, which compilers do not make of a loop: half a store's cycles and an eighth of the instructions.
+     */
     register uint32_t a __asm__("r4") = word, b __asm__("r5") = word, c __asm__("r6") = word, d __asm__("r3") = word;
     while (to != last)
         __asm__ volatile("stmia %0!, {r3, r4, r5, r6}\n\tstmia %0!, {r3, r4, r5, r6}"
@@ -95,7 +99,7 @@ void raster_clear(struct raster *r, const struct scene_header *scene)
                 put(r, r->pixels + y * r->stride, x, colour);
         return;
     }
-    uint32_t word = r->format == GLINT_RGB565 ? colour | colour << 16
+    uint32_t word = r->format == GLINT_RGB565  ? colour | colour << 16
                     : r->format == GLINT_GREY4 ? colour * 0x11111111u
                                                : (colour & 0xff) * 0x01010101u;
     fill((uint32_t *)(void *)r->pixels, word, (rows * r->stride + 3) & ~3u);

@@ -4,7 +4,8 @@
  * header, a multiple of 4; integers are stored in the byte order of the machine that draws (little-endian from
  * `glint pack`). scene_check() looks at every byte of structure once; after it, no reader checks again.
  *
- * Axes: right-handed, y up, the eye looks down -z. Lengths are in scene units, Q16 unless said otherwise.
+ * Axes: right-handed, y up, the eye looks down -z. Lengths are in scene units, Q16 unless said otherwise; a bound on
+ * a vector, as |p| < 2^14, is one on each of its components.
  */
 #ifndef GLINT_SCENE_H
 #define GLINT_SCENE_H
@@ -46,11 +47,11 @@ struct scene_mesh {
     uint32_t triangle_count; /* 1..65535 */
     q16_t centre[3];         /* |c| < 2^14 units */
     q16_t extent;            /* a position component of 32768 is this long; 2^-10 <= extent < 2^14 units */
-    q16_t radius;            /* of the bounding sphere about the centre; 0 < radius < 2^15 units */
+    q16_t radius;            /* of a sphere about the centre that holds all vertices; 0 < radius < 2^15 units */
 };
 
 #define MATERIAL_FLAT      1u /* its vertices carry face normals: every method draws it in one value a light */
-#define MATERIAL_TWO_SIDED 2u /* reserved for two-sided faces */
+#define MATERIAL_TWO_SIDED 2u /* reserved for two-sided faces: refused for now */
 
 /* Colour at a pixel = diffuse * (ka * ambient + sum kd * light * max(0, N.L))
  *                   + specular * sum ks * light * max(0, N.H)^shininess; each channel clamped to 0..1 at the end.
@@ -99,7 +100,7 @@ enum scene_light_kind { LIGHT_DIRECTIONAL, LIGHT_POINT };
 
 struct scene_light {
     uint16_t kind;
-    uint16_t flags;   /* 0 */
+    uint16_t flags;    /* 0 */
     int32_t vector[3]; /* directional: unit vector towards the light, Q30; point: position, Q16, |p| < 2^14 units */
     uint16_t colour[3];
     uint16_t reserved; /* 0 */
@@ -114,10 +115,10 @@ enum scene_viewer_kind { VIEWER_INFINITE, VIEWER_LOCAL };
  * h / reference_height). Visible is near <= -z <= far. */
 struct scene_camera {
     uint16_t kind;
-    uint16_t viewer; /* for the highlight: the eye at infinity along +z, or where it is */
-    q30_t rotation[4]; /* turns world axes into eye axes */
-    q16_t position[3]; /* of the eye in the world */
-    q16_t focal;       /* 2^-4 <= focal < 2^14 */
+    uint16_t viewer;                            /* for the highlight: the eye at infinity along +z, or where it is */
+    q30_t rotation[4];                          /* turns world axes into eye axes */
+    q16_t position[3];                          /* of the eye in the world */
+    q16_t focal;                                /* 2^-4 <= focal < 2^14 */
     uint16_t reference_width, reference_height; /* 1..2048 */
     q16_t near_plane, far_plane;                /* 2^-8 <= near < far < 2^15 units */
 };
@@ -125,12 +126,12 @@ struct scene_camera {
 struct scene_header {
     uint32_t magic;
     uint16_t version;
-    uint16_t reserved; /* 0 */
-    uint32_t length;   /* of the whole blob, bytes */
-    uint32_t crc;      /* CRC-32 (IEEE 802.3) of bytes 16 .. length - 1 */
+    uint16_t reserved;                                         /* 0 */
+    uint32_t length;                                           /* of the whole blob, bytes */
+    uint32_t crc;                                              /* CRC-32 (IEEE 802.3) of bytes 16 .. length - 1 */
     uint32_t meshes, materials, powers, lights, objects, keys; /* offsets of the arrays; 0 for an empty one */
     uint16_t mesh_count, material_count, power_count, light_count, object_count, key_count;
-    uint32_t duration_ms; /* of one loop of the animation; 0: none. Time given to the renderer is taken modulo this */
+    uint32_t duration_ms;   /* of one loop of the animation; 0: none. Time given to the renderer is taken modulo this */
     uint16_t ambient[3];    /* Q15 */
     uint16_t background[3]; /* Q15 */
     struct scene_camera camera;
@@ -163,14 +164,29 @@ static inline const void *scene_at(const struct scene_header *scene, uint32_t of
 {
     return (const uint8_t *)scene + offset;
 }
-static inline const struct scene_mesh *scene_meshes(const struct scene_header *s) { return scene_at(s, s->meshes); }
+static inline const struct scene_mesh *scene_meshes(const struct scene_header *s)
+{
+    return scene_at(s, s->meshes);
+}
 static inline const struct scene_material *scene_materials(const struct scene_header *s)
 {
     return scene_at(s, s->materials);
 }
-static inline const struct fx_power *scene_powers(const struct scene_header *s) { return scene_at(s, s->powers); }
-static inline const struct scene_light *scene_lights(const struct scene_header *s) { return scene_at(s, s->lights); }
-static inline const struct scene_object *scene_objects(const struct scene_header *s) { return scene_at(s, s->objects); }
-static inline const struct scene_key *scene_keys(const struct scene_header *s) { return scene_at(s, s->keys); }
+static inline const struct fx_power *scene_powers(const struct scene_header *s)
+{
+    return scene_at(s, s->powers);
+}
+static inline const struct scene_light *scene_lights(const struct scene_header *s)
+{
+    return scene_at(s, s->lights);
+}
+static inline const struct scene_object *scene_objects(const struct scene_header *s)
+{
+    return scene_at(s, s->objects);
+}
+static inline const struct scene_key *scene_keys(const struct scene_header *s)
+{
+    return scene_at(s, s->keys);
+}
 
 #endif

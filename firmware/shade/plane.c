@@ -11,7 +11,8 @@ int plane_setup(struct plane *plane, const int16_t *const p[3], unsigned width, 
 {
     int32_t x0 = p[0][0], y0 = p[0][1];
     int32_t x1 = p[1][0] - x0, y1 = p[1][1] - y0, x2 = p[2][0] - x0, y2 = p[2][1] - y0;
-    /* |differences| <= 2^15: each product at most 2^30, the determinant twice the area of a box of 2^15: at most 2^30. */
+    /* |differences| <= 2^15: each product at most 2^30, the determinant twice the area of a box of 2^15: at most 2^30.
+     */
     if (x1 * y2 - x2 * y1 <= 0)
         return 0;
 
@@ -120,14 +121,15 @@ void plane_quadratic(const struct plane *plane, const int32_t value[3], const in
     int32_t a = bulge[0], b = bulge[2], c = a + b - bulge[1];
     int32_t x1 = plane->x1, y1 = plane->y1, x2 = plane->x2, y2 = plane->y2;
     uint32_t gx, gy;
-    gradient(plane, value[1] - value[0] - ((a + (1 << 13)) >> 14), value[2] - value[0] - ((b + (1 << 13)) >> 14), &gx, &gy);
+    gradient(plane, value[1] - value[0] - ((a + (1 << 13)) >> 14), value[2] - value[0] - ((b + (1 << 13)) >> 14), &gx,
+             &gy);
 
     /* eq. 22 times det^2, halved: coordinates are below 2^14, their products below 2^28 and times 8 below 2^31. Each
      * high product is half of coefficient * product: below 2^27, for c 3 * 2^27; the sums stay below 2^30. */
     int32_t na = fx_mulhi_s32(a, (y2 * y2) << 3) + fx_mulhi_s32(b, (y1 * y1) << 3) - fx_mulhi_s32(c, (y1 * y2) * 8);
     int32_t nb = fx_mulhi_s32(a, (x2 * x2) << 3) + fx_mulhi_s32(b, (x1 * x1) << 3) - fx_mulhi_s32(c, (x1 * x2) * 8);
-    int32_t nc = fx_mulhi_s32(c, (x1 * y2 + x2 * y1) * 4) - fx_mulhi_s32(a, (x2 * y2) * 8) -
-                 fx_mulhi_s32(b, (x1 * y1) * 8);
+    int32_t nc =
+        fx_mulhi_s32(c, (x1 * y2 + x2 * y1) * 4) - fx_mulhi_s32(a, (x2 * y2) * 8) - fx_mulhi_s32(b, (x1 * y1) * 8);
     /* n * 2^(31 + 8 + 2 scale) / det^2 = n * (r2 / 2^32) * 2^(2 (scale + up) - 22); a pixel is 16 sub-pixels. */
     int up = 2 * (plane->scale + plane->up) - 22;
     int32_t qa = (int32_t)shifted(fx_mulhi_s32(na, plane->r2), up);
@@ -165,7 +167,8 @@ static int32_t exact_value(const struct plane *plane, const struct channel *chan
     uint32_t w = 65536 - u - v;
     /* Corner values differ by less than 2^16; the true sum fits, the products are modulo 2^32. Weights' products are
      * Q32, at most 2^30. */
-    uint32_t linear = ((uint32_t)value[0] << 16) + (uint32_t)(value[1] - value[0]) * u + (uint32_t)(value[2] - value[0]) * v;
+    uint32_t linear =
+        ((uint32_t)value[0] << 16) + (uint32_t)(value[1] - value[0]) * u + (uint32_t)(value[2] - value[0]) * v;
     int32_t bend = fx_mulhi_s32(bulge[0], (int32_t)(w * u)) + fx_mulhi_s32(bulge[1], (int32_t)(u * v)) +
                    fx_mulhi_s32(bulge[2], (int32_t)(v * w));
     return (int32_t)(linear - ((uint32_t)bend << 2));

@@ -24,13 +24,13 @@ struct plane {
     uint32_t det;           /* x1 y2 - x2 y1 of those, in (0, 2^29) */
     uint32_t r;             /* 2^63 / (det << up) */
     int scale, up;
-    int32_t half;           /* r / 2 */
-    int shift;              /* scale + up - 14 */
-    int ox, oy; /* the origin pixel */
-    int fx, fy; /* its centre from corner 0, 1/16 pixel, -7..8 */
-    int sliver; /* no polynomial is accurate enough over it */
-    int thin;   /* no quadratic is: set by plane_setup_quadratic(), as is r2 */
-    int32_t r2; /* r^2 / 2^33 */
+    int32_t half; /* r / 2 */
+    int shift;    /* scale + up - 14 */
+    int ox, oy;   /* the origin pixel */
+    int fx, fy;   /* its centre from corner 0, 1/16 pixel, -7..8 */
+    int sliver;   /* no polynomial is accurate enough over it */
+    int thin;     /* no quadratic is: set by plane_setup_quadratic(), as is r2 */
+    int32_t r2;   /* r^2 / 2^33 */
 };
 
 /* One quantity over a triangle: a polynomial, or where that would not do, its corner values, from which it is
@@ -56,9 +56,10 @@ void plane_setup_quadratic(struct plane *plane);
 /* A linear channel from corner values, any two of them less than 2^16 apart; the channel's value is 2^16 times that. */
 void plane_linear(const struct plane *plane, const int32_t value[3], struct channel *channel);
 
-/* A quadratic channel in Q30: corner values in Q14, |v| <= 2^14 + 2^11, and the bulges a_ij = (Ii + Ij) kij of the edges 0-1,
- * 1-2, 2-0 in Q28, |a| <= 2^28 * 1.0. Phi = sum Ii li - sum aij li lj (X-shading eq. 32, order-free). */
-void plane_quadratic(const struct plane *plane, const int32_t value[3], const int32_t bulge[3], struct channel *channel);
+/* A quadratic channel in Q30: corner values in Q14, |v| <= 2^14 + 2^11, and the bulges a_ij = (Ii + Ij) kij of the
+ * edges 0-1, 1-2, 2-0 in Q28, |a| <= 2^28 * 1.0. Phi = sum Ii li - sum aij li lj (X-shading eq. 32, order-free). */
+void plane_quadratic(const struct plane *plane, const int32_t value[3], const int32_t bulge[3],
+                     struct channel *channel);
 
 /* Values of a channel at n pixels from (x, y) rightwards; y down, picture coordinates. */
 void plane_values(const struct plane *plane, const struct channel *channel, int x, int y, int n, int32_t *out);

@@ -16,11 +16,11 @@ struct clipped_triangle {
 
 /* A triangle to be shaded. Corners stand clockwise on the screen (y down), so that determinants are positive. */
 struct shade_input {
-    const int16_t *place[3];      /* x, y, depth of the corners */
-    const int16_t *lights[3];     /* N.L and N.H, Q14, of the source triangle's corners, in the same turn */
+    const int16_t *place[3];               /* x, y, depth of the corners */
+    const int16_t *lights[3];              /* N.L and N.H, Q14, of the source triangle's corners, in the same turn */
     const struct scene_triangle *triangle; /* the source; its edges stand in `bend` as 2, 1, 0 */
     const struct scene_vertex *vertices;   /* of its mesh */
-    const uint16_t (*weight)[3];  /* null: the corners are the source's */
+    const uint16_t (*weight)[3];           /* null: the corners are the source's */
     const struct object_state *object;
     const struct surface *surface;
     int no_plan; /* keep effects that cannot show */

@@ -2,10 +2,16 @@
 #include "shade/surface.h"
 
 /* Product of two Q15 numbers of at most 1, rounded. */
-static uint32_t times(uint32_t a, uint32_t b) { return (a * b + (1u << 14)) >> 15; }
+static uint32_t times(uint32_t a, uint32_t b)
+{
+    return (a * b + (1u << 14)) >> 15;
+}
 
 /* Rec. 601 luma of Q15 channels. */
-static uint32_t luma(const uint32_t rgb[3]) { return (77 * rgb[0] + 150 * rgb[1] + 29 * rgb[2] + 128) >> 8; }
+static uint32_t luma(const uint32_t rgb[3])
+{
+    return (77 * rgb[0] + 150 * rgb[1] + 29 * rgb[2] + 128) >> 8;
+}
 
 /* Q15 intensities to the palette's channels: steps in Q(15 + fraction - 15). */
 static void to_steps(const struct palette *palette, const uint32_t rgb_q15[3], unsigned down, uint32_t *out)

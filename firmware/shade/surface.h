@@ -21,7 +21,7 @@ struct surface {
     uint32_t base[3];   /* ambient part, Q15 steps, at most 255 * 2^15 */
     uint32_t top[3];    /* full intensity, Q15 steps */
     struct {
-        uint16_t diffuse[3], specular[3]; /* at N.L = 1, (N.H)^n = 1: Q8 steps, at most 255 * 2^8 */
+        uint16_t diffuse[3], specular[3];     /* at N.L = 1, (N.H)^n = 1: Q8 steps, at most 255 * 2^8 */
         uint16_t diffuse_most, specular_most; /* the largest of each */
     } light[SCENE_MAX_LIGHTS];
 };
@@ -33,7 +33,10 @@ void surface_setup(struct surface *surface, const struct scene_header *scene, co
 void surface_colour(const struct palette *palette, const uint16_t rgb_q15[3], uint32_t *out);
 
 /* Adds diffuse light: n_dot_l in Q30, clamped below at 0. At most 1.0887 * 2^15 * 255 * 2^8 < 2^31.2: unsigned. */
-static inline uint32_t surface_diffuse(uint32_t n_dot_l_q15, uint16_t step_q8) { return (n_dot_l_q15 * step_q8) >> 8; }
+static inline uint32_t surface_diffuse(uint32_t n_dot_l_q15, uint16_t step_q8)
+{
+    return (n_dot_l_q15 * step_q8) >> 8;
+}
 
 /* The finished colour at N.L, N.H in Q14 of each light (a vertex record's), clamped to [0, top], Q15 steps. */
 void surface_shade(const struct surface *surface, const int16_t *lights_q14, uint32_t *out);

@@ -26,7 +26,8 @@ static void restrict_to(const uint16_t (*w)[3], int32_t value[3], int32_t bulge[
         for (int i = 0; i < 3; i++) { /* |value| <= 2^14, weights sum to 2^15 */
             int j = i == 2 ? 0 : i + 1;
             linear += value[i] * w[k][i];
-            bend += fx_mulhi_s32(bulge[i], (int32_t)((uint32_t)w[k][i] * w[k][j])); /* Q28 * Q30: Q26; product <= 2^30 */
+            bend +=
+                fx_mulhi_s32(bulge[i], (int32_t)((uint32_t)w[k][i] * w[k][j])); /* Q28 * Q30: Q26; product <= 2^30 */
         }
         v[k] = (linear >> 15) - (bend >> 12);
         int next = k == 2 ? 0 : k + 1;
@@ -57,8 +58,8 @@ static uint32_t highlight_slack(const struct surface *s, unsigned light, int32_t
 
 /* One dot product of a light over the triangle, where it can show. Returns 0 if not. Twice a triangle and light, with
  * `highlight` constant. */
-static inline __attribute__((always_inline)) int interpolate(struct shade_setup *setup, const struct shade_input *in, unsigned light, unsigned highlight,
-                       int32_t curl)
+static inline __attribute__((always_inline)) int interpolate(struct shade_setup *setup, const struct shade_input *in,
+                                                             unsigned light, unsigned highlight, int32_t curl)
 {
     const struct surface *s = in->surface;
     struct channel *channel = &setup->channel[2 * light + highlight];
@@ -68,14 +69,14 @@ static inline __attribute__((always_inline)) int interpolate(struct shade_setup 
     struct bounds range = bounds_of(value); /* of a clipped piece too: it lies in its source */
     int32_t bend = bounds_bend(range, curl), top = range.high + bend;
     int32_t floor = highlight ? bounds_power_floor(s->power) : 1;
+    int deep = highlight && range.low - bend - floor < -32768 + 256; /* less the floor, it may pass -2 in Q30 */
     uint32_t error = 0; /* steps in Q8 at full intensity times a Q14 bend: below 2^16 * 2^15 */
     if (top < floor) {
-        if (!in->no_plan)
+        if (!in->no_plan || deep)
             return 0;
     } else if (highlight) {
         error = highlight_slack(s, light, top, bend);
-        /* Q30 less the floor must not pass -2 */
-        setup->runs_only |= (uint8_t)(range.low - bend - floor < -32768 + 256);
+        setup->runs_only |= (uint8_t)deep;
     } else {
         error = (s->light[light].diffuse_most * (uint32_t)bend) >> 14;
     }

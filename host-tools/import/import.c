@@ -46,6 +46,19 @@ static int fail(const char *path, const char *reason, int code)
     return code;
 }
 
+int import_check_readable(const char *path)
+{
+    struct stat status;
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return fail(path, strerror(errno), 3);
+    bool regular = fstat(fileno(file), &status) == 0 && S_ISREG(status.st_mode);
+    fclose(file);
+    if (regular)
+        return 0;
+    return fail(path, S_ISDIR(status.st_mode) ? strerror(EISDIR) : "not a regular file", 3);
+}
+
 /* Processor time grows with the file; sanitizers map far more memory than they use. */
 static void set_limits(const char *path)
 {
@@ -161,7 +174,10 @@ int import_file(const char *path, double crease, struct model *model, size_t mes
 {
     struct reply reply;
     pid_t child;
-    FILE *in = start(path, &child);
+    int code = import_check_readable(path);
+    FILE *in = code ? NULL : start(path, &child);
+    if (code)
+        return code;
     if (!in)
         return fail(path, strerror(errno), 3);
     bool whole = receive(in, &reply, model, mesh);

@@ -25,6 +25,10 @@ int import_file(const char *path, double crease, struct model *model, size_t mes
 /* Moves the mesh to the origin and scales it so that its bounding sphere there has radius 1. */
 void import_fit(struct model_mesh *mesh);
 
+/* Exit code 0 if `path` is a regular file that opens for reading; otherwise 3, having said why. Libraries' own messages
+ * would hide that it is a folder, or not there. */
+int import_check_readable(const char *path);
+
 /* Whether the name ends like a model that import_file() reads. */
 bool import_knows(const char *path);
 

@@ -11,7 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-#include <sys/stat.h>
 
 #define MOST_BLOB (1l << 30)
 
@@ -19,20 +18,6 @@ static int fail(const char *path, const char *reason, int code)
 {
     fprintf(stderr, "%s: %s\n", path, reason);
     return code;
-}
-
-/* Says what a library's message would hide: a file that is not there, a folder, a device without end. */
-static int check_readable(const char *path)
-{
-    struct stat status;
-    FILE *file = fopen(path, "rb");
-    if (!file)
-        return fail(path, strerror(errno), PACK_IO);
-    bool regular = fstat(fileno(file), &status) == 0 && S_ISREG(status.st_mode);
-    fclose(file);
-    if (regular)
-        return PACK_OK;
-    return fail(path, S_ISDIR(status.st_mode) ? strerror(EISDIR) : "not a regular file", PACK_IO);
 }
 
 static int read_blob(const char *path, struct pack_result *result)
@@ -79,7 +64,7 @@ int pack_load(const char *path, const struct pack_options *options, struct pack_
     const char *ending = strrchr(path, '.');
     const unsigned shininess = options ? options->shininess : 0;
     *result = (struct pack_result){0};
-    int code = check_readable(path);
+    int code = import_check_readable(path);
     if (code)
         return code;
     if (ending && !strcasecmp(ending, ".json"))

@@ -57,7 +57,7 @@ void pack_name(const char *path, char *name, size_t size)
 {
     const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path, *dot = strrchr(base, '.');
     size_t length = dot && dot > base ? (size_t)(dot - base) : strlen(base), used = 0;
-    if (size > 1 && !(isalpha((unsigned char)base[0]) || base[0] == '_'))
+    if (size > 1 && isdigit((unsigned char)base[0]))
         name[used++] = '_';
     for (size_t i = 0; i < length && used + 1 < size; i++)
         name[used++] = isalnum((unsigned char)base[i]) ? base[i] : '_';

@@ -6,7 +6,9 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+
 #include <cmocka.h>
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -94,10 +96,11 @@ static void every_flipped_bit_is_refused(void **state)
 static void draw(const struct scene_header *blob, uint32_t time_ms)
 {
     struct glint_config config = {.width = 32, .height = 24, .band_rows = 24, .format = GLINT_RGB565};
+    static const struct glint_method *const methods[] = {&glint_flat, &glint_gouraud, &glint_x, &glint_phong};
     struct glint_frame frame;
     struct glint_band band;
-    for (int method = 0; method < GLINT_METHODS; method++) {
-        config.method = (uint8_t)method;
+    for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
+        config.method = methods[i];
         glint_fit_stores(&config, blob);
         config.memory_bytes = glint_memory_needed(&config);
         config.memory = malloc(config.memory_bytes);
@@ -144,7 +147,7 @@ static void refuse(void *field, const void *value, size_t size, enum scene_fault
     memcpy(field, old, size);
 }
 
-#define REFUSE(field, value, fault)                                                                                    \
+#define REFUSE(field, value, fault) \
     refuse(&(field), &(__typeof__(field)){(__typeof__(field))(value)}, sizeof(field), fault, blob)
 
 static void absurd_headers_are_refused(void **state)
