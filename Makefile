@@ -42,11 +42,11 @@ UNIT_BIN := $(UNIT_SRC:tests/%.c=$(BUILD)/tests/%)
 EXHAUSTIVE_BIN := $(EXHAUSTIVE_SRC:tests/%.c=$(BUILD)/tests/%)
 
 all: ## Build the command line tool, build/glint
-	$(Q)DEPS=manual tests/tools/deps.sh demo
-	$(Q)$(MAKE) --no-print-directory $(GLINT)
+	$(Q)DEPS=manual tests/tools/deps.sh demo || { echo "or let 'make deps-demo' do it" >&2; exit 1; }
+	$(Q)$(MAKE) --no-print-directory tool
 
 demo: deps-demo ## Render the demo (or SCENE=file) into build/demo/
-	$(Q)$(MAKE) --no-print-directory $(GLINT)
+	$(Q)$(MAKE) --no-print-directory tool
 	$(Q)$(GLINT) demo $(SCENE) $(BUILD)/demo
 
 test: deps-test ## Run every test; the last line counts them
@@ -126,6 +126,9 @@ $(CORE_LIB) $(HOST_LIB):
 	$(call say,AR,$@)
 	$(Q)rm -f $@; $(AR) rcs $@ $^
 
+tool: $(GLINT)
+	@:
+
 $(GLINT): $(filter %/main.o,$(HOST_OBJ)) $(HOST_LIB) $(CORE_LIB)
 	$(call say,LINK,$@)
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ $(PACKAGE_LIBS) -lm -o $@
@@ -141,5 +144,5 @@ include tests/tools/suites.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
-.PHONY: all demo test test-unit test-cli test-core test-golden test-device test-sanitize test-exhaustive bench profile \
+.PHONY: all tool demo test test-unit test-cli test-core test-golden test-device test-sanitize test-exhaustive bench profile \
 	size stack golden lint format check-format deps deps-demo deps-test clean help

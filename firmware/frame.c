@@ -83,7 +83,7 @@ static void list_piece(struct glint_frame *f, const struct transform *transform,
 static void clip(struct glint_frame *f, const struct transform *transform, const struct scene_vertex *vertices,
                  const struct scene_triangle *triangle, unsigned object, unsigned source)
 {
-    struct clip_polygon *polygon = &f->raster->polygon[0];
+    struct clip_polygon *polygon = &f->raster->begin.polygon[0];
     polygon->count = 3;
     for (int k = 0; k < 3; k++) {
         struct clip_corner *corner = &polygon->corner[k];
@@ -91,7 +91,7 @@ static void clip(struct glint_frame *f, const struct transform *transform, const
         for (int i = 0; i < 3; i++)
             corner->weight[i] = i == k ? Q30(1, 1) : 0;
     }
-    clip_triangle(transform, polygon, &f->raster->polygon[1]);
+    clip_triangle(transform, polygon, &f->raster->begin.polygon[1]);
     if (polygon->count < 3) {
         f->stats.rejected++;
         return;
@@ -129,11 +129,11 @@ static void add_object(struct glint_frame *f, const struct view *view, const str
                        uint32_t time_ms)
 {
     const struct scene_mesh *mesh = scene_meshes(f->scene) + source->mesh;
-    struct transform transform;
+    struct transform *transform = &f->raster->begin.transform;
     struct matrix to_eye;
     struct pose pose = pose_at(f->scene, source, time_ms);
     f->stats.triangles += mesh->triangle_count;
-    if (!transform_setup(&transform, view, mesh, &pose, &to_eye)) {
+    if (!transform_setup(transform, view, mesh, &pose, &to_eye)) {
         f->stats.rejected += mesh->triangle_count;
         return;
     }
@@ -146,9 +146,9 @@ static void add_object(struct glint_frame *f, const struct view *view, const str
     object->mesh = mesh;
     object->first_vertex = f->vertex_count;
     object_light_setup(object, f->scene, view, &pose, &to_eye, time_ms);
-    int all_placed = object_place_vertices(object, f->scene, &transform, f->light_count,
+    int all_placed = object_place_vertices(object, f->scene, transform, f->light_count,
                                            f->vertices + (uint32_t)f->vertex_count * f->vertex_stride);
-    list_object(f, &transform, f->object_count, all_placed);
+    list_object(f, transform, f->object_count, all_placed);
     f->vertex_count = (uint16_t)(f->vertex_count + mesh->vertex_count);
     f->object_count++;
 }
@@ -184,13 +184,13 @@ int glint_frame_begin(struct glint_frame *f, const void *scene, uint32_t time_ms
     f->raster->surface_material = NO_MATERIAL;
     f->raster->input.surface = &f->raster->surface;
 
-    struct view view;
-    view_setup(&view, header, f->config.width, f->config.height);
+    struct view *view = &f->raster->begin.view;
+    view_setup(view, header, f->config.width, f->config.height);
     if (header->duration_ms)
         time_ms %= header->duration_ms;
     const struct scene_object *object = scene_objects(header);
     for (unsigned i = 0; i < header->object_count; i++)
-        add_object(f, &view, &object[i], time_ms);
+        add_object(f, view, &object[i], time_ms);
     sort_by_first_row(f);
     return 0;
 }

@@ -112,7 +112,7 @@ void glint_fit_stores(struct glint_config *c, const void *scene)
         vertices += mesh->vertex_count;
         triangles += mesh->triangle_count;
     }
-    /* A triangle that is cut makes up to six; few are at a time. */
+    /* A triangle that is cut makes up to seven pieces; few are at a time. */
     c->max_clipped = at_most(triangles / 4 + 64, 1024);
     c->max_vertices = at_most(vertices, 65535);
     c->max_triangles = at_most(triangles + c->max_clipped, 65535);

@@ -110,13 +110,13 @@ FX_WRAPS static inline __attribute__((always_inline)) void fx_step(uint32_t *x, 
 #endif
 }
 
-/* Leading zero bits of x; 32 for 0. */
+/* Leading zero bits of x > 0. */
 static inline unsigned fx_clz(uint32_t x)
 {
 #if FX_NARROW
     return fx_clz_narrow(x);
 #else
-    return x ? (unsigned)__builtin_clz(x) : 32u;
+    return (unsigned)__builtin_clz(x);
 #endif
 }
 

@@ -1,16 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 #include "geometry/clip.h"
 
-/* The planes: near, then the guard band's left, right, top, bottom. */
-#define PLANES 5
+/* The planes: near, far, then the guard band's sides. */
+enum { NEAR_PLANE, FAR_PLANE, RIGHT, LEFT, BOTTOM, TOP, PLANES };
 
 /* Distance inside a plane, any positive scale. x / z * 2^(z_exponent - xy_exponent) is sub-pixels, and
  * transform.shift = 30 + xy_exponent - z_exponent where it divides: inside is GUARD * z >= +-x * 2^(30 - shift). */
 static int64_t inside(const struct transform *t, const struct eye_point *e, int plane)
 {
-    if (plane == 0)
+    if (plane == NEAR_PLANE)
         return (int64_t)e->z - t->near_z;
-    int32_t side = plane < 3 ? e->x : e->y;
+    if (plane == FAR_PLANE)
+        return (int64_t)t->far_z - e->z;
+    int32_t side = plane < BOTTOM ? e->x : e->y;
     int64_t reach;
     /* |z|, |x| < 2^29, GUARD = 2^14. One sub-pixel is kept back for rounding. */
     int down = t->divide ? t->shift - 30 : t->shift;
@@ -23,7 +25,7 @@ static int64_t inside(const struct transform *t, const struct eye_point *e, int 
         reach = down > 18 ? INT64_MAX / 4 : reach * (INT64_C(1) << down);
     else
         value = down < -30 ? value * (INT64_C(1) << 30) : value * (INT64_C(1) << -down);
-    return plane & 1 ? reach + value : reach - value;
+    return plane & 1 ? reach + value : reach - value; /* LEFT and TOP are odd */
 }
 
 static int32_t mix(int32_t a, int32_t b, uint32_t t_q31)
@@ -64,8 +66,8 @@ static void clip_plane(const struct transform *t, int plane, const struct clip_p
             else
                 cut(b, db, a, da, &to->corner[to->count++]);
             struct clip_corner *made = &to->corner[to->count - 1];
-            if (made->eye.z < t->near_z)
-                made->eye.z = t->near_z; /* a cut at the near plane may have been rounded out of it */
+            /* A cut at the near or far plane may have been rounded out of it. */
+            made->eye.z = made->eye.z < t->near_z ? t->near_z : made->eye.z > t->far_z ? t->far_z : made->eye.z;
         }
     }
 }

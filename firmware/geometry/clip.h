@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Clips a triangle at the near plane and the guard band, in the eye's units, before any divide.
+ * Clips a triangle at the near and far planes and the guard band, in the eye's units, before any divide.
  *
  * A corner made by clipping keeps its barycentric coordinates in the triangle it comes from, so that any quantity
  * defined over that triangle, quadratic ones too, can be restricted to the pieces. An edge shared by two triangles is
@@ -11,7 +11,7 @@
 
 #include "geometry/transform.h"
 
-#define CLIP_MAX_CORNERS 8 /* 3, and one more for each of 5 planes */
+#define CLIP_MAX_CORNERS 9 /* 3, and one more for each of 6 planes */
 
 struct clip_corner {
     struct eye_point eye;

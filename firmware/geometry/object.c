@@ -3,59 +3,144 @@
 
 #include "geometry/project.h"
 
-static q14_t q14_of_q30(q30_t x)
+#define FARTHEST (INT64_C(1) << 28)
+
+/* v / |v| in Q14, |v| components below 2^30; of 0, (0, 0, 1). */
+static void unit_q14(const int32_t v[3], q14_t out[3])
 {
-    /* |x| <= 2^30 (1 + 2^-18): the sum fits, the result is at most 16384. */
-    return (q14_t)((x + (1 << 15)) >> 16);
+    uint32_t largest = 0;
+    for (int i = 0; i < 3; i++)
+        largest |= (uint32_t)(v[i] < 0 ? -v[i] : v[i]);
+    if (!largest) {
+        out[0] = out[1] = 0;
+        out[2] = Q14(1, 1);
+        return;
+    }
+    /* To 15 bits: each square is at most 2^30, their sum at most 3 * 2^30, and at least 2^28. */
+    int up = (int)fx_clz(largest) - 17;
+    int32_t w[3];
+    uint32_t squared = 0;
+    for (int i = 0; i < 3; i++) {
+        w[i] = up >= 0 ? v[i] * (1 << up) : v[i] >> -up;
+        squared += (uint32_t)(w[i] * w[i]);
+    }
+    unsigned half_bits = squared >> 30 ? 0 : 1;
+    int32_t inverse = (int32_t)(fx_rsqrt_norm(squared << (2 * half_bits)) >> 1); /* Q30 of 1 / sqrt(squared / 2^30) */
+    /* w in Q15 of sqrt(2^30): w * inverse is Q45; a product with w < 2^16 moved up by 1 or 2 is Q14 after mulhi. */
+    for (int i = 0; i < 3; i++)
+        out[i] = (q14_t)(fx_mulhi_s32(w[i] * (1 << (half_bits + 2)), inverse) >> 1);
 }
 
-/* A unit vector of the eye's axes in the object's own. */
-static void to_object(const struct matrix *to_eye, const q30_t v[3], q14_t out[3])
+/* A unit vector of the eye's axes in the object's own, as something far. */
+static void far_point(const struct matrix *to_eye, const q30_t v[3], struct object_point *out)
 {
     q30_t turned[3];
     matrix_apply_transposed(to_eye, v, turned);
     for (int i = 0; i < 3; i++)
-        out[i] = q14_of_q30(turned[i]);
+        out->at[i] = (turned[i] + (1 << 15)) >> 16; /* |turned| <= 2^30 (1 + 2^-18) */
+    out->near = 0;
 }
 
-/* From the object to the eye: along +z at infinity, or from where it is. */
-static void towards_eye(const struct scene_header *scene, const struct view *view, const struct pose *pose,
-                        q30_t out[3])
+/* A place of the world in the mesh's position units. */
+static void near_point(const q16_t world[3], const struct scene_mesh *mesh, const struct pose *pose,
+                       struct object_point *out)
 {
-    if (scene->camera.viewer == VIEWER_INFINITE) {
-        out[0] = out[1] = 0;
-        out[2] = Q30(1, 1);
+    struct matrix rotation = rotation_matrix(&pose->rotation);
+    int32_t from[3], turned[3];
+    int64_t place[3], largest = 0;
+    for (int i = 0; i < 3; i++) /* positions are below 2^30: a quarter of the difference is below 2^29 */
+        from[i] = (int32_t)(((int64_t)world[i] - pose->position[i]) >> 2);
+    matrix_apply_transposed(&rotation, from, turned);
+    for (int i = 0; i < 3; i++) {
+        /* 2^31 * 2^18 / scale >= 2^8 in Q16: below 2^42; times 2^15: below 2^57 */
+        int64_t local = ((int64_t)turned[i] * (1 << 18)) / pose->scale - mesh->centre[i];
+        place[i] = local * 32768 / mesh->extent;
+        int64_t size = place[i] < 0 ? -place[i] : place[i];
+        largest = size > largest ? size : largest;
+    }
+    int down = 0;
+    while (largest >> down > FARTHEST)
+        down++;
+    for (int i = 0; i < 3; i++)
+        out->at[i] = (int32_t)(place[i] >> down);
+    out->near = down == 0;
+    if (down) { /* so far that the mesh is a point */
+        q14_t unit[3];
+        unit_q14(out->at, unit);
+        for (int i = 0; i < 3; i++)
+            out->at[i] = unit[i];
+    }
+}
+
+/* Unit vector towards a point from a place. */
+static void towards_point(const struct object_point *point, const int32_t place[3], q14_t out[3])
+{
+    if (!point->near) {
+        for (int i = 0; i < 3; i++)
+            out[i] = (q14_t)point->at[i];
         return;
     }
-    int32_t from[3], eye[3];
-    for (int i = 0; i < 3; i++) /* positions are below 2^30: a quarter of the difference is below 2^29 */
-        from[i] = (int32_t)(((int64_t)view->position[i] - pose->position[i]) >> 2);
-    matrix_apply(&view->matrix, from, eye);
-    vector_normalise(eye, out);
+    int32_t way[3];
+    for (int i = 0; i < 3; i++)
+        way[i] = point->at[i] - place[i]; /* below 2^28 + 2^16 */
+    unit_q14(way, out);
+}
+
+static void half_way(const q14_t a[3], const q14_t b[3], q14_t out[3])
+{
+    int32_t sum[3];
+    for (int i = 0; i < 3; i++)
+        sum[i] = a[i] + b[i];
+    unit_q14(sum, out);
+}
+
+void object_light_at(const struct object_state *object, unsigned light, const int32_t place[3], q14_t towards[3],
+                     q14_t half[3])
+{
+    const struct object_light *l = &object->light[light];
+    towards_point(&l->source, place, towards);
+    if (!l->source.near && !object->eye.near) {
+        for (int i = 0; i < 3; i++)
+            half[i] = l->half[i];
+        return;
+    }
+    q14_t eye[3];
+    towards_point(&object->eye, place, eye);
+    half_way(towards, eye, half);
 }
 
 void object_light_setup(struct object_state *object, const struct scene_header *scene, const struct view *view,
                         const struct pose *pose, const struct matrix *to_eye, uint32_t time_ms)
 {
+    static const q30_t ahead[3] = {0, 0, Q30(1, 1)};
     const struct scene_light *light = scene_lights(scene);
-    q30_t viewer[3];
-    towards_eye(scene, view, pose, viewer);
+    if (scene->camera.viewer == VIEWER_INFINITE)
+        far_point(to_eye, ahead, &object->eye);
+    else
+        near_point(view->position, object->mesh, pose, &object->eye);
+    object->local = (uint16_t)object->eye.near;
     for (unsigned i = 0; i < scene->light_count; i++, light++) {
-        int32_t vector[3], turned[3], half[3];
-        q30_t towards[3];
+        struct object_light *out = &object->light[i];
+        int32_t vector[3], turned[3];
         light_vector_at(scene, light, time_ms, vector);
-        if (light->kind == LIGHT_POINT)
+        if (light->kind == LIGHT_POINT) {
+            near_point(vector, object->mesh, pose, &out->source);
+            object->local |= (uint16_t)out->source.near;
+        } else {
+            q30_t towards[3];
+            matrix_apply(&view->matrix, vector, turned);
             for (int j = 0; j < 3; j++)
-                vector[j] = (int32_t)(((int64_t)vector[j] - pose->position[j]) >> 2);
-        matrix_apply(&view->matrix, vector, turned);
-        for (int j = 0; j < 3; j++)
-            turned[j] >>= 2; /* vector_normalise wants |.| < 2^30 */
-        vector_normalise(turned, towards);
-        for (int j = 0; j < 3; j++)
-            half[j] = (towards[j] >> 2) + (viewer[j] >> 2);
-        vector_normalise(half, half);
-        to_object(to_eye, towards, object->light[i].towards);
-        to_object(to_eye, half, object->light[i].half);
+                turned[j] >>= 2; /* vector_normalise wants |.| < 2^30 */
+            vector_normalise(turned, towards);
+            far_point(to_eye, towards, &out->source);
+        }
+        if (!out->source.near && !object->eye.near) {
+            const int32_t nowhere[3] = {0, 0, 0};
+            q14_t towards[3], eye[3];
+            towards_point(&out->source, nowhere, towards);
+            towards_point(&object->eye, nowhere, eye);
+            half_way(towards, eye, out->half);
+        }
     }
 }
 
@@ -66,14 +151,26 @@ static inline int16_t dot_q14(const q14_t a[3], const q14_t b[3])
     return (int16_t)(dot > 16383 ? 16383 : dot < -16384 ? -16384 : dot);
 }
 
-/* N.L and N.H of a normal for each light, into a vertex record. */
-static inline void light_vertex(const struct object_state *object, unsigned lights, const q14_t normal[3],
-                                int16_t *record)
+/* N.L and N.H of a vertex for each light that is far, with a far eye. */
+static inline void light_vertex(const struct object_light *light, const struct object_light *end, const q14_t normal[3],
+                                int16_t *out)
 {
-    const struct object_light *light = object->light;
-    for (int16_t *out = record + VERTEX_LIGHTS; lights; lights--, light++, out += 2) {
-        out[0] = dot_q14(normal, light->towards);
+    for (; light != end; light++, out += 2) {
+        q14_t towards[3] = {(q14_t)light->source.at[0], (q14_t)light->source.at[1], (q14_t)light->source.at[2]};
+        out[0] = dot_q14(normal, towards);
         out[1] = dot_q14(normal, light->half);
+    }
+}
+
+static __attribute__((noinline)) void light_vertex_locally(const struct object_state *object, unsigned lights,
+                                                           const struct scene_vertex *vertex, int16_t *out)
+{
+    int32_t place[3] = {vertex->position[0], vertex->position[1], vertex->position[2]};
+    for (unsigned i = 0; i < lights; i++, out += 2) {
+        q14_t towards[3], half[3];
+        object_light_at(object, i, place, towards, half);
+        out[0] = dot_q14(vertex->normal, towards);
+        out[1] = dot_q14(vertex->normal, half);
     }
 }
 
@@ -90,7 +187,10 @@ int object_place_vertices(const struct object_state *object, const struct scene_
         records[VERTEX_Y] = point.y;
         records[VERTEX_DEPTH] = (int16_t)point.depth;
         all &= placed;
-        light_vertex(object, lights, vertex->normal, records);
+        if (object->local)
+            light_vertex_locally(object, lights, vertex, records + VERTEX_LIGHTS);
+        else
+            light_vertex(object->light, object->light + lights, vertex->normal, records + VERTEX_LIGHTS);
     }
     return all;
 }

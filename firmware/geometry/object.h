@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* One object in a frame: lights turned into its axes, its vertices on the screen and lit. */
+/* One object in a frame: lights and eye turned into its axes, its vertices on the screen and lit. */
 #ifndef GLINT_OBJECT_H
 #define GLINT_OBJECT_H
 
@@ -16,22 +16,35 @@
 #define VERTEX_LIGHTS   3
 #define VERTEX_UNPLACED INT16_MIN
 
-/* The lights as one object sees them: unit vectors in its own axes, Q14. Towards the light, and half-way to the eye. */
+/* A light or the eye as one object sees it. Far: a unit vector towards it in the object's axes, Q14. Near: its place in
+ * the mesh's position units, |p| <= 2^28; one farther than that is taken as far. */
+struct object_point {
+    int32_t at[3];
+    int32_t near;
+};
+
 struct object_light {
-    q14_t towards[3], half[3];
+    struct object_point source;
+    q14_t half[3]; /* half-way from light to eye, where both are far */
+    q14_t reserved;
 };
 
 struct object_state {
     const struct scene_mesh *mesh;
     uint16_t first_vertex;
-    uint16_t reserved;
+    uint16_t local; /* a light or the eye is near: directions differ from place to place */
+    struct object_point eye;
     struct object_light light[SCENE_MAX_LIGHTS];
 };
 
-/* Lights of the scene at a time, in an object's axes. A point light, and the eye of a local viewer, is taken in its
- * direction from the object's position. */
+/* Lights and eye of the scene at a time, as an object in a pose sees them. */
 void object_light_setup(struct object_state *object, const struct scene_header *scene, const struct view *view,
                         const struct pose *pose, const struct matrix *to_eye, uint32_t time_ms);
+
+/* Towards a light, and half-way from it to the eye, seen from a place in the mesh's position units: unit vectors, Q14,
+ * within 2^-12. */
+void object_light_at(const struct object_state *object, unsigned light, const int32_t place[3], q14_t towards[3],
+                     q14_t half[3]);
 
 /* Fills the records of all of the mesh's vertices: 1 if each could be placed. */
 int object_place_vertices(const struct object_state *object, const struct scene_header *scene,

@@ -26,7 +26,7 @@ static inline int project_round(int32_t v, int down, int16_t *out)
 
 static inline int project_orthographic(const struct transform *t, struct eye_point e, struct screen_point *out)
 {
-    uint32_t to_far = e.z < t->far_z ? (uint32_t)(t->far_z - e.z) : 0;
+    uint32_t to_far = (uint32_t)(t->far_z - e.z);
     /* to_far is below 2^(32 - up) where depth_shift = 47 - up: moved up to 32 bits it is below 2^32, and the product is
      * the depth times 2^(47 - up), less the 32 bits that mulhi drops. */
     unsigned up = t->depth_shift < 32 ? 32u - (unsigned)t->depth_shift : 0,
@@ -54,12 +54,12 @@ static inline int project_perspective(const struct transform *t, struct eye_poin
            project_round(fx_mulhi_s32(e.y, half), shift, &out->y);
 }
 
-/* Projects a point: 1, or 0 where it lies before the near plane or outside the guard band. Positions are rounded to
+/* Projects a point: 1, or 0 where it lies before the near plane, beyond the far one or outside the guard band. Positions are rounded to
  * nearest sub-pixel, ties up; the value before rounding errs by less than 2^-8 sub-pixel inside a 1024-pixel picture.
  */
 static inline int project(const struct transform *t, struct eye_point e, struct screen_point *out)
 {
-    if (e.z < t->near_z)
+    if (e.z < t->near_z || e.z > t->far_z)
         return 0;
     return t->divide ? project_perspective(t, e, out) : project_orthographic(t, e, out);
 }

@@ -140,7 +140,7 @@ static struct pose pose_between(const struct scene_key *a, const struct scene_ke
 {
     /* Keys are sorted and different: the divisor is at least 1, the quotient below 2^16. */
     uint32_t t = (uint32_t)(((uint64_t)(time_ms - a->time_ms) << 16) / (b->time_ms - a->time_ms));
-    struct pose p;
+    struct pose p = {0};
     int64_t dot = 0;
     for (int i = 0; i < 4; i++)
         dot += ((int64_t)a->rotation[i] * b->rotation[i]) >> 2; /* a quarter: four products of 2^60 */

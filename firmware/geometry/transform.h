@@ -14,8 +14,9 @@
 /* Screen coordinates are 28.4, relative to the picture's centre, x right, y down; the guard band reaches this far. */
 #define GUARD (1024 * 16)
 
-/* Depth 0 is the far end (what the buffer is cleared to), larger is nearer: 1/z for perspective, z for orthographic,
- * from DEPTH_FAR to DEPTH_NEAR; the margins keep an interpolated depth, rounding included, inside 16 bits. */
+/* Depth 0 is what the buffer is cleared to; larger is nearer: near/z in perspective, (far - z) / (far - near) in
+ * orthographic views, on DEPTH_FAR to DEPTH_NEAR. The margins keep an interpolated depth, rounding included, inside 16
+ * bits. */
 #define DEPTH_FAR  8
 #define DEPTH_NEAR 65527
 

@@ -29,33 +29,43 @@ static inline int32_t dot(const struct raster *r, int i, const q14_t v[3])
     return (r->value[0][i] * v[0] + r->value[1][i] * v[1] + r->value[2][i] * v[2] + (1 << 13)) >> 14;
 }
 
+/* Adds a light at one pixel. */
+static inline void add_light(struct raster *r, int i, unsigned l, const q14_t towards[3], const q14_t half[3])
+{
+    const struct surface *s = &r->surface;
+    int32_t diffuse = dot(r, i, towards);
+    diffuse = diffuse < 0 ? 0 : diffuse;
+    for (unsigned c = 0; c < s->channels; c++)
+        r->sum[i][c] += surface_diffuse((uint32_t)diffuse, s->light[l].diffuse[c]);
+    int32_t highlight = s->highlights ? dot(r, i, half) : 0;
+    if (highlight <= 0)
+        return;
+    uint32_t power = fx_power(s->power, (q30_t)((uint32_t)highlight << 15));
+    for (unsigned c = 0; c < s->channels; c++)
+        r->sum[i][c] += surface_diffuse(power, s->light[l].specular[c]);
+}
+
 static void shade_run(struct raster *r, int x, int y, int n)
 {
     const struct surface *s = &r->surface;
-    unsigned channels = s->channels;
-    for (int axis = 0; axis < 3; axis++)
-        plane_values(&r->setup.plane, &r->setup.channel[axis], x, y, n, r->value[axis]);
+    const struct object_state *object = r->input.object;
+    int channels = object->local ? 6 : 3;
+    q14_t towards[3], half[3];
+    for (int c = 0; c < channels; c++)
+        plane_values(&r->setup.plane, &r->setup.channel[c], x, y, n, r->value[c]);
     normalise(r, n);
     for (int i = 0; i < n; i++)
-        for (unsigned c = 0; c < channels; c++)
+        for (unsigned c = 0; c < s->channels; c++)
             r->sum[i][c] = s->base[c];
     for (unsigned l = 0; l < s->lights; l++) {
-        const struct object_light *light = &r->input.object->light[l];
+        if (!object->local)
+            object_light_at(object, l, 0, towards, half);
         for (int i = 0; i < n; i++) {
-            int32_t diffuse = dot(r, i, light->towards);
-            diffuse = diffuse < 0 ? 0 : diffuse;
-            for (unsigned c = 0; c < channels; c++)
-                r->sum[i][c] += surface_diffuse((uint32_t)diffuse, s->light[l].diffuse[c]);
-        }
-        if (!s->highlights)
-            continue;
-        for (int i = 0; i < n; i++) {
-            int32_t highlight = dot(r, i, light->half);
-            if (highlight <= 0)
-                continue;
-            uint32_t power = fx_power(s->power, (q30_t)((uint32_t)highlight << 15));
-            for (unsigned c = 0; c < channels; c++)
-                r->sum[i][c] += surface_diffuse(power, s->light[l].specular[c]);
+            if (object->local) {
+                int32_t place[3] = {r->value[3][i] >> 16, r->value[4][i] >> 16, r->value[5][i] >> 16};
+                object_light_at(object, l, place, towards, half);
+            }
+            add_light(r, i, l, towards, half);
         }
     }
 }

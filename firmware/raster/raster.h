@@ -39,12 +39,18 @@ struct raster {
     struct colour_table *table;
     /* the triangle in hand */
     struct shade_input input;
-    struct shade_setup setup;
+    union {
+        struct shade_setup setup;
+        struct { /* while the frame begins: all triangles are listed before the first is set up */
+            struct view view;
+            struct transform transform;
+            struct clip_polygon polygon[2];
+        } begin;
+    };
     uint16_t weight[3][3];
-    struct clip_polygon polygon[2]; /* while a frame begins */
     struct span span[SPANS];
     /* the run in hand */
-    int32_t value[3][RUN];
+    int32_t value[6][RUN];
     uint32_t sum[RUN][3];
 };
 

@@ -33,6 +33,7 @@ static const enum glint_method_id demo_methods[DEMO_PANELS] = {GLINT_GOURAUD, GL
 static const char *const demo_labels[DEMO_PANELS] = {"GOURAUD", "X-SHADING", "PHONG"};
 
 struct demo {
+    const char *path; /* of the scene */
     const struct scene_header *scene;
     struct renderer renderer[DEMO_PANELS];
     double milliseconds[DEMO_PANELS]; /* of the quickest frame: the least disturbed by other work */
@@ -139,6 +140,7 @@ static void demo_report(const struct demo *demo)
     for (int p = 0; p < DEMO_PANELS; p++)
         printf("%-10s  %8.3f  %12.2f  %6.1f\n", demo_labels[p], demo->milliseconds[p],
                demo->milliseconds[p] / demo->milliseconds[0], demo->psnr_db[p]);
+    renderer_warn(&demo->renderer[0], demo->path);
 }
 
 /* Panels of this height, as wide as the camera's picture is in proportion; the labels below. */
@@ -236,7 +238,8 @@ int cmd_demo(int argc, char **argv)
     }
     if (argc - optind != 2 || !argv[optind + 1][0])
         return cli_usage(demo_name, "a scene and a folder are needed");
-    int code = pack_load(argv[optind], NULL, &packed);
+    demo.path = argv[optind];
+    int code = pack_load(demo.path, NULL, &packed);
     if (code)
         return code;
     demo.scene = packed.scene;

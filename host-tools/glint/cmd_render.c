@@ -275,6 +275,8 @@ int cmd_render(int argc, char **argv)
         code = renderer_open(&render.renderer, packed.scene);
         if (!code)
             code = render_frames(&render);
+        if (!code)
+            renderer_warn(&render.renderer, argv[optind]);
         renderer_close(&render.renderer);
     }
     pack_free(&packed);

@@ -46,7 +46,17 @@ int renderer_draw(struct renderer *renderer, uint32_t time_ms, struct hal_displa
             return result;
     }
     *milliseconds += cli_clock() - start;
+    if (renderer->dropped < renderer->frame.stats.dropped)
+        renderer->dropped = renderer->frame.stats.dropped;
     return 0;
+}
+
+void renderer_warn(const struct renderer *renderer, const char *path)
+{
+    if (renderer->dropped)
+        fprintf(stderr, "%s: warning: %u of %u triangles are missing: a frame holds %u vertices and %u triangles\n",
+                path, (unsigned)renderer->dropped, (unsigned)renderer->frame.stats.triangles,
+                renderer->config.max_vertices, renderer->config.max_triangles);
 }
 
 void renderer_close(struct renderer *renderer)

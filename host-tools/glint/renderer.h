@@ -14,6 +14,7 @@ struct renderer {
     const struct scene_header *scene;
     void *band[2];
     void *memory;
+    uint32_t dropped; /* triangles for which a frame had no room: the most of any */
 };
 
 /* Prepares to draw a checked scene; the rest of config is filled in. A message and an exit code. */
@@ -23,6 +24,9 @@ int renderer_open(struct renderer *renderer, const struct scene_header *scene);
  * continues over the bands' bytes in order; `milliseconds` grows by the time taken, without the display's. */
 int renderer_draw(struct renderer *renderer, uint32_t time_ms, struct hal_display *display, uint32_t *crc,
                   double *milliseconds);
+
+/* Says on stderr if triangles of the scene `path` were dropped. */
+void renderer_warn(const struct renderer *renderer, const char *path);
 
 /* Harmless on one that is all zeros. */
 void renderer_close(struct renderer *renderer);

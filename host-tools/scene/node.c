@@ -12,6 +12,8 @@ bool node_open(struct node_file *file, const char *path, struct node *root)
     *file = (struct node_file){.path = path};
     file->root = json_load_file(path, JSON_REJECT_DUPLICATES, &error);
     if (!file->root) {
+        for (char *at = error.text; *at; at++) /* it quotes the file, which may not be text */
+            *at = (unsigned char)*at < ' ' ? '?' : *at;
         fprintf(stderr, "%s:%d: %s\n", path, error.line > 0 ? error.line : 1, error.text);
         file->failed = true;
     }

@@ -11,6 +11,13 @@ small='--size 32x24'
     fresh
     run 'a missing scene is reported' 3 "$glint" render no.json -o a.png
     matches 'and named' "$top/err" '^no\.json: '
+    printf '{"camera\2\33' >binary.json
+    run 'a scene that is no text is refused' 1 "$glint" info binary.json
+    if LC_ALL=C grep -q '[[:cntrl:]]' "$top/err"; then
+        say FAIL 'its message can be shown on a terminal' "$(od -c "$top/err" | head -n 3)"
+    else
+        say ok 'its message can be shown on a terminal'
+    fi
     run 'a directory is no scene' 3 "$glint" render "$scenes/" --hash
     fresh
     mkdir out.png

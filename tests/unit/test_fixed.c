@@ -61,8 +61,6 @@ static void the_high_word_is_that_of_the_64_bit_product(void **state)
 static void leading_zeros_are_counted_at_every_length(void **state)
 {
     (void)state;
-    assert_int_equal(fx_clz(0), 32);
-    assert_int_equal(fx_clz_narrow(0), 32);
     for (unsigned n = 0; n < 32; n++) {
         uint32_t top = 0x80000000u >> n, fill = top | (top - 1), some = top | ((top - 1) & random_bits());
         assert_int_equal(fx_clz(top), n);
