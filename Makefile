@@ -42,7 +42,7 @@ UNIT_BIN := $(UNIT_SRC:tests/%.c=$(BUILD)/tests/%)
 EXHAUSTIVE_BIN := $(EXHAUSTIVE_SRC:tests/%.c=$(BUILD)/tests/%)
 
 all: ## Build the command line tool, build/glint
-	$(Q)DEPS=manual tests/tools/deps.sh demo || { echo "or let 'make deps-demo' do it" >&2; exit 1; }
+	$(Q)DEPS=manual tests/tools/deps.sh demo || { echo "'make demo' installs them itself" >&2; exit 1; }
 	$(Q)$(MAKE) --no-print-directory tool
 
 demo: deps-demo ## Render the demo (or SCENE=file) into build/demo/
@@ -50,13 +50,16 @@ demo: deps-demo ## Render the demo (or SCENE=file) into build/demo/
 	$(Q)$(GLINT) demo $(SCENE) $(BUILD)/demo
 
 test: deps-test ## Run every test; the last line counts them
-	$(Q)tests/tools/run.sh unit cli core golden device docs sanitize bench
+	$(Q)tests/tools/run.sh unit cli models core golden device docs sanitize bench
 
 test-unit: deps-test ## Unit tests
 	$(Q)tests/tools/run.sh unit
 
 test-cli: deps-test ## The command line tool against good and bad input
 	$(Q)tests/tools/run.sh cli
+
+test-models: deps-test ## Real models by every method against the double-precision renderer: a table of PSNR
+	$(Q)tests/tools/run.sh models
 
 test-core: deps-test ## What the renderer may link, include, keep and stack, on every CPU
 	$(Q)tests/tools/run.sh core
@@ -144,5 +147,5 @@ include tests/tools/suites.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
-.PHONY: all tool demo test test-unit test-cli test-core test-golden test-device test-sanitize test-exhaustive bench profile \
-	size stack golden lint format check-format deps deps-demo deps-test clean help
+.PHONY: all tool demo test test-unit test-cli test-models test-core test-golden test-device test-sanitize test-exhaustive \
+	bench profile size stack golden lint format check-format deps deps-demo deps-test clean help

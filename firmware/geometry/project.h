@@ -54,8 +54,9 @@ static inline int project_perspective(const struct transform *t, struct eye_poin
            project_round(fx_mulhi_s32(e.y, half), shift, &out->y);
 }
 
-/* Projects a point: 1, or 0 where it lies before the near plane, beyond the far one or outside the guard band. Positions are rounded to
- * nearest sub-pixel, ties up; the value before rounding errs by less than 2^-8 sub-pixel inside a 1024-pixel picture.
+/* Projects a point: 1, or 0 where it lies before the near plane, beyond the far one or outside the guard band.
+ * Positions are rounded to nearest sub-pixel, ties up; the value before rounding errs by less than 2^-8 sub-pixel
+ * inside a 1024-pixel picture.
  */
 static inline int project(const struct transform *t, struct eye_point e, struct screen_point *out)
 {

@@ -31,7 +31,8 @@ struct scene_vertex {
 };
 
 /* Counter-clockwise seen from outside. bend[e] = -k = (1 - Ni.Nj)/2 in Q16 of the edge from corner e to corner
- * (e + 1) % 3, saturated at 65535 (X-shading, eq. 32; k itself is never positive). */
+ * (e + 1) % 3, within 2^-11 of what the stored normals give, saturated at 65535 (X-shading, eq. 32; k itself is never
+ * positive). */
 struct scene_triangle {
     uint16_t corner[3];
     uint16_t bend[3];

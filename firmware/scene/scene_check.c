@@ -119,9 +119,21 @@ static enum scene_fault check_vertices(const struct scene_header *s, const struc
                                                                                                : SCENE_E_RANGE;
 }
 
+/* Shading's overflow bounds rest on bends that belong to their normals: within 2^-11 of (1 - Na.Nb) / 2, which is
+ * several times what rounding normals to Q14 can do. */
+static int bend_ok(const q14_t a[3], const q14_t b[3], uint16_t bend)
+{
+    int32_t dot = 0; /* normals are near unit length: at most 2^28 (1 + 2^-12) in size, each product at most 2^28 */
+    for (int k = 0; k < 3; k++)
+        dot += a[k] * b[k];
+    int32_t expected = ((1 << 28) - dot) >> 13;
+    return expected - bend < 32 && bend - expected < 32;
+}
+
 static enum scene_fault check_triangles(const struct scene_header *s, const struct scene_mesh *mesh)
 {
     const struct scene_triangle *t = scene_at(s, mesh->triangles);
+    const struct scene_vertex *v = scene_at(s, mesh->vertices);
     for (uint32_t i = 0; i < mesh->triangle_count; i++, t++) {
         if (t->reserved != 0)
             return SCENE_E_RANGE;
@@ -130,6 +142,9 @@ static enum scene_fault check_triangles(const struct scene_header *s, const stru
                 return SCENE_E_INDEX;
         if (t->material >= s->material_count)
             return SCENE_E_INDEX;
+        for (int k = 0; k < 3; k++)
+            if (!bend_ok(v[t->corner[k]].normal, v[t->corner[k == 2 ? 0 : k + 1]].normal, t->bend[k]))
+                return SCENE_E_RANGE;
     }
     return SCENE_OK;
 }

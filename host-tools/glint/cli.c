@@ -22,6 +22,20 @@ int cli_usage(const char *command, const char *format, ...)
     return CLI_BAD_USAGE;
 }
 
+int cli_refuse(const char *command, const char *help, const char *name, const char *value)
+{
+    char option[32];
+    snprintf(option, sizeof option, "--%s", name);
+    const char *line = strstr(help, option);
+    line = line ? line : option;
+    int all = (int)strcspn(line, "\n"), left = 0; /* the left column ends in two spaces */
+    while (left < all && strncmp(line + left, "  ", 2) != 0)
+        left++;
+    int right = left + (int)strspn(line + left, " ");
+    fprintf(stderr, "%s: '%s' does not do for %.*s: %.*s\n", command, value, left, line, all - right, line + right);
+    return CLI_BAD_USAGE;
+}
+
 /* Digits up to `stop`, without sign or spaces; returns what follows them, or null. */
 static const char *cli_digits(const char *text, uint32_t *value)
 {

@@ -25,8 +25,8 @@ static const char demo_help[] =
     "usage: glint demo SCENE FOLDER [OPTION]...\n\n"
     "Draws one loop of a scene's animation by Gouraud, X-shading and per-pixel Phong, side by side, into\n"
     "FOLDER/frame-0000.png ... and the animated FOLDER/demo.png, and prints what each method costs.\n\n"
-    "      --frames N   default 48\n"
-    "      --height H   of a panel in pixels, default 240; the width follows the camera\n"
+    "      --frames N   1..10000, default 48\n"
+    "      --height H   of a panel in pixels, 16..1024, default 240; the width follows the camera\n"
     "      --help\n";
 
 static const enum glint_method_id demo_methods[DEMO_PANELS] = {GLINT_GOURAUD, GLINT_X, GLINT_PHONG};
@@ -234,7 +234,7 @@ int cmd_demo(int argc, char **argv)
             return CLI_BAD_USAGE;
         if (!cli_number(optarg, option == 'f' ? 1 : 16, option == 'f' ? 10000 : 1024,
                         option == 'f' ? &demo.frames : &height))
-            return cli_usage(demo_name, "--%s cannot be '%s'", option == 'f' ? "frames" : "height", optarg);
+            return cli_refuse(demo_name, demo_help, option == 'f' ? "frames" : "height", optarg);
     }
     if (argc - optind != 2 || !argv[optind + 1][0])
         return cli_usage(demo_name, "a scene and a folder are needed");

@@ -16,7 +16,7 @@ static const char reference_help[] =
     "Draws the truth that the renderer is measured against: double precision, the normal normalised per pixel.\n\n"
     "  -o, --output FILE      .png, .ppm or .raw; - with --output-format for standard output\n"
     "      --output-format F  png, ppm or raw, whatever the ending\n"
-    "      --size WxH         in pixels; the default is the camera's\n"
+    "      --size WxH         in pixels, each 1..2048; the default is the camera's\n"
     "      --time MS          the moment of the animation, in milliseconds; default 0\n"
     "      --format F         rgb888 (default) or grey8: Rec. 601 luma, shaded as one channel\n"
     "      --method M         phong (default), or what ideal arithmetic makes of gouraud, x or six\n"
@@ -91,7 +91,7 @@ static int reference_parse(int argc, char **argv, struct reference_arguments *ar
             return CLI_BAD_USAGE;
         default:
             if (!reference_value(option, optarg, arguments))
-                return cli_usage(reference_name, "--%s cannot be '%s'", long_options[index].name, optarg);
+                return cli_refuse(reference_name, reference_help, long_options[index].name, optarg);
         }
     }
     if (argc - optind != 1)

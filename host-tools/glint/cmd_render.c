@@ -21,14 +21,14 @@ static const char render_help[] =
     "                         a folder with '/' at its end (numbered PNG files), or - for standard output\n"
     "      --output-format F  " OUTPUT_FORMATS ", whatever the ending\n"
     "      --method M         flat, gouraud, x (default) or phong\n"
-    "      --size WxH         in pixels, at most 2048; the default is the camera's\n"
-    "      --frames N         default 1; for .apng, .y4m and folders one loop of the animation\n"
-    "      --fps F            frames a second, default 30; frame i shows the moment i * 1000 / F ms\n"
-    "      --time MS          the moment of the first frame, default 0\n"
+    "      --size WxH         in pixels, each 1..2048; the default is the camera's\n"
+    "      --frames N         1..1000000; default 1, for .apng, .y4m and folders one loop of the animation\n"
+    "      --fps F            frames a second, 1..1000, default 30; frame i shows the moment i * 1000 / F ms\n"
+    "      --time MS          the moment of the first frame in milliseconds, default 0\n"
     "      --format F         rgb565, rgb888 (default), grey8 or grey4\n"
     "      --dither           ordered dither for rgb565 and grey4\n"
-    "      --band-rows N      rows drawn at a time; the default is all. The picture is the same\n"
-    "      --tables N         colour tables of 16 KiB for rgb565, default 0\n"
+    "      --band-rows N      rows drawn at a time, 1..2048; the default is all. The picture is the same\n"
+    "      --tables N         colour tables of 16 KiB for rgb565, 0..255, default 0\n"
     "      --no-plan          compute also what cannot be seen. The picture is the same\n"
     "      --shininess N      1..1023, replaces every material's exponent\n"
     "      --stats[=json]     print counts of triangles and pixels, memory and time\n"
@@ -181,7 +181,7 @@ static int render_parse(struct render *render, int argc, char **argv)
             break;
         default:
             if (!render_value(render, option, optarg))
-                return cli_usage(render_name, "--%s cannot be '%s'", render_options[index].name, optarg);
+                return cli_refuse(render_name, render_help, render_options[index].name, optarg);
         }
     }
     if (argc - optind != 1)

@@ -20,6 +20,9 @@ suite-exhaustive: $(EXHAUSTIVE_BIN)
 suite-cli: $(GLINT)
 	@status=0; for script in $(CLI_TESTS); do echo "# $$script"; bash $$script $(GLINT) || status=1; done; exit $$status
 
+suite-models: $(GLINT)
+	@tests/tools/models.sh $(GLINT)
+
 suite-core: $(BENCH_ELF)
 	@status=0; \
 	tests/tools/check_source.sh || status=1; \
@@ -81,5 +84,5 @@ lint-run:
 	clang-tidy --quiet --warnings-as-errors='*' $(CORE_SRC) $(HOST_SRC) -- -std=c11 -D_XOPEN_SOURCE=700 $(INCLUDE) \
 		$(PACKAGE_FLAGS) || status=1; exit $$status
 
-.PHONY: suite-unit suite-exhaustive suite-cli suite-core suite-golden suite-device suite-docs suite-sanitize \
+.PHONY: suite-unit suite-exhaustive suite-cli suite-models suite-core suite-golden suite-device suite-docs suite-sanitize \
 	suite-sanitized suite-bench bench-table profile-run size-table stack-table golden-update lint-run

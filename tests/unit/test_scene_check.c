@@ -229,6 +229,7 @@ static void absurd_meshes_are_refused(void **state)
     REFUSE(triangle->corner[2], mesh->vertex_count, SCENE_E_INDEX);
     REFUSE(triangle->material, blob->material_count, SCENE_E_INDEX);
     REFUSE(triangle->reserved, 1, SCENE_E_RANGE);
+    REFUSE(triangle->bend[0], (uint16_t)(triangle->bend[0] + 40), SCENE_E_RANGE); /* not its normals' */
     free(blob);
 }
 
