@@ -236,25 +236,25 @@ static void draw_triangle(struct glint_frame *f, const struct triangle_ref *ref)
 {
     struct raster *r = f->raster;
     const struct glint_method *method = f->config.method;
-    int first_time = ref->first >= r->y0;
+    struct shade_input *in = &r->input;
+    struct shade_setup *setup = &r->setup;
     struct edges edges;
     gather(f, ref);
     f->stats.setups++;
-    if (!edges_setup(&edges, r->input.place, r->width, r->height, r->y0, r->y1) ||
-        !plane_setup(&r->setup.plane, r->input.place, r->width, r->height))
+    if (!edges_setup(&edges, in->place, r->width, r->height, r->y0, r->y1) ||
+        !plane_setup(&setup->plane, in->place, r->width, r->height))
         return;
-    int32_t depth[3];
-    for (int k = 0; k < 3; k++)
-        depth[k] = (uint16_t)r->input.place[k][VERTEX_DEPTH];
-    plane_linear(&r->setup.plane, depth, &r->setup.depth);
-    r->setup.diffuse_lights = r->setup.specular_lights = r->setup.quadratic = 0;
-    method->setup(&r->setup, &r->input);
+    const int32_t depth[3] = {(uint16_t)in->place[0][VERTEX_DEPTH], (uint16_t)in->place[1][VERTEX_DEPTH],
+                              (uint16_t)in->place[2][VERTEX_DEPTH]};
+    plane_linear(&setup->plane, depth, &setup->depth);
+    setup->diffuse_lights = setup->specular_lights = setup->quadratic = 0;
+    method->setup(setup, in);
     f->stats.pixels[method->id] += method->draw(r, &edges);
-    if (first_time) {
-        f->stats.drawn[method->id]++;
-        f->stats.specular_triangles += r->setup.specular_lights != 0;
-        f->stats.linear_triangles += method->id == GLINT_X && !r->setup.quadratic;
-    }
+    if (ref->first < r->y0)
+        return; /* counted with the band above */
+    f->stats.drawn[method->id]++;
+    f->stats.specular_triangles += setup->specular_lights != 0;
+    f->stats.linear_triangles += method->id == GLINT_X && !setup->quadratic;
 }
 
 int glint_frame_next_band(struct glint_frame *f, struct glint_band *band)

@@ -136,10 +136,13 @@ void object_light_setup(struct object_state *object, const struct scene_header *
         }
         if (!out->source.near && !object->eye.near) {
             const int32_t nowhere[3] = {0, 0, 0};
-            q14_t towards[3], eye[3];
-            towards_point(&out->source, nowhere, towards);
+            q14_t eye[3];
+            towards_point(&out->source, nowhere, out->towards);
             towards_point(&object->eye, nowhere, eye);
-            half_way(towards, eye, out->half);
+            half_way(out->towards, eye, out->half);
+        } else {
+            for (int j = 0; j < 3; j++)
+                out->towards[j] = out->half[j] = 0; /* vertices are lit anew, by place */
         }
     }
 }
@@ -156,41 +159,44 @@ static inline void light_vertex(const struct object_light *light, const struct o
                                 int16_t *out)
 {
     for (; light != end; light++, out += 2) {
-        q14_t towards[3] = {(q14_t)light->source.at[0], (q14_t)light->source.at[1], (q14_t)light->source.at[2]};
-        out[0] = dot_q14(normal, towards);
+        out[0] = dot_q14(normal, light->towards);
         out[1] = dot_q14(normal, light->half);
     }
 }
 
-static __attribute__((noinline)) void light_vertex_locally(const struct object_state *object, unsigned lights,
-                                                           const struct scene_vertex *vertex, int16_t *out)
+/* Lights all vertices anew where directions differ from place to place. */
+static void light_locally(const struct object_state *object, const struct scene_vertex *vertex, unsigned lights,
+                          int16_t *records)
 {
-    int32_t place[3] = {vertex->position[0], vertex->position[1], vertex->position[2]};
-    for (unsigned i = 0; i < lights; i++, out += 2) {
-        q14_t towards[3], half[3];
-        object_light_at(object, i, place, towards, half);
-        out[0] = dot_q14(vertex->normal, towards);
-        out[1] = dot_q14(vertex->normal, half);
+    for (uint32_t n = object->mesh->vertex_count; n; n--, vertex++, records += VERTEX_LIGHTS + 2 * lights) {
+        const int32_t place[3] = {vertex->position[0], vertex->position[1], vertex->position[2]};
+        int16_t *out = records + VERTEX_LIGHTS;
+        for (unsigned i = 0; i < lights; i++, out += 2) {
+            q14_t towards[3], half[3];
+            object_light_at(object, i, place, towards, half);
+            out[0] = dot_q14(vertex->normal, towards);
+            out[1] = dot_q14(vertex->normal, half);
+        }
     }
 }
 
 int object_place_vertices(const struct object_state *object, const struct scene_header *scene,
                           const struct transform *transform, unsigned lights, int16_t *records)
 {
-    const struct scene_vertex *vertex = scene_at(scene, object->mesh->vertices);
-    unsigned stride = VERTEX_LIGHTS + 2 * lights;
+    const struct scene_vertex *const vertices = scene_at(scene, object->mesh->vertices), *vertex = vertices;
+    const unsigned stride = VERTEX_LIGHTS + 2 * lights;
+    int16_t *record = records;
     int all = 1;
-    for (uint32_t n = object->mesh->vertex_count; n; n--, vertex++, records += stride) {
+    for (uint32_t n = object->mesh->vertex_count; n; n--, vertex++, record += stride) {
         struct screen_point point = {0, 0, 0};
         int placed = project(transform, transform_point(transform, vertex->position), &point);
-        records[VERTEX_X] = placed ? point.x : VERTEX_UNPLACED;
-        records[VERTEX_Y] = point.y;
-        records[VERTEX_DEPTH] = (int16_t)point.depth;
+        record[VERTEX_X] = placed ? point.x : VERTEX_UNPLACED;
+        record[VERTEX_Y] = point.y;
+        record[VERTEX_DEPTH] = (int16_t)point.depth;
         all &= placed;
-        if (object->local)
-            light_vertex_locally(object, lights, vertex, records + VERTEX_LIGHTS);
-        else
-            light_vertex(object->light, object->light + lights, vertex->normal, records + VERTEX_LIGHTS);
+        light_vertex(object->light, object->light + lights, vertex->normal, record + VERTEX_LIGHTS);
     }
+    if (object->local)
+        light_locally(object, vertices, lights, records);
     return all;
 }

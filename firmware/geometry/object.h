@@ -24,9 +24,8 @@ struct object_point {
 };
 
 struct object_light {
+    q14_t towards[3], half[3]; /* where light and eye are far: towards the light, half-way to the eye */
     struct object_point source;
-    q14_t half[3]; /* half-way from light to eye, where both are far */
-    q14_t reserved;
 };
 
 struct object_state {

@@ -32,7 +32,7 @@ int cli_refuse(const char *command, const char *help, const char *name, const ch
     while (left < all && strncmp(line + left, "  ", 2) != 0)
         left++;
     int right = left + (int)strspn(line + left, " ");
-    fprintf(stderr, "%s: '%s' does not do for %.*s: %.*s\n", command, value, left, line, all - right, line + right);
+    fprintf(stderr, "%s: '%s' will not do for %.*s: %.*s\n", command, value, left, line, all - right, line + right);
     return CLI_BAD_USAGE;
 }
 

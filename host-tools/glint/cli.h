@@ -13,6 +13,9 @@ enum cli_exit { CLI_DONE = PACK_OK, CLI_BAD_DATA = PACK_BAD_DATA, CLI_BAD_USAGE 
 /* Prints `command: ...; try 'command --help'` on stderr and returns CLI_BAD_USAGE. */
 __attribute__((format(printf, 2, 3))) int cli_usage(const char *command, const char *format, ...);
 
+/* The same for a value that the option `name` does not take: prints what `help` says of that option. */
+int cli_refuse(const char *command, const char *help, const char *name, const char *value);
+
 /* A whole number in low..high, or WIDTHxHEIGHT with both in 1..GLINT_MAX_SIZE. The outputs change only on success. */
 bool cli_number(const char *text, uint32_t low, uint32_t high, uint32_t *value);
 bool cli_size(const char *text, uint16_t *width, uint16_t *height);

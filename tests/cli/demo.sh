@@ -19,7 +19,7 @@ else
 fi
 run 'X-shading is nearer to Phong than Gouraud is' 0 awk '
     $1 == "GOURAUD" { gouraud = $4 } $1 == "X-SHADING" { x = $4 } END { exit !(x > gouraud + 10) }' report
-# half a second into the loop: frame 6 of the 48 that `make demo` draws
+# half a second into the loop. Anew: make demo && cp build/demo/frame-0006.png host-tools/glint/demo.png
 "$glint" compare "$picture" out/frame-0001.png >numbers
 run 'the picture of the README is what it draws' 0 awk '/^p999/ { exit !($2 <= 4) }' numbers
 

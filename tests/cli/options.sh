@@ -38,6 +38,10 @@ stats xml
 output-format jpeg
 hash yes
 END
+run 'a wrong size is refused' 2 "$glint" render "$torus" -o a.png --size 320
+matches 'saying which would do' "$top/err" "^glint render: '320' .* --size WxH: .*2048"
+run 'a wrong pixel format is refused' 2 "$glint" reference "$torus" -o a.png --format=rgb
+matches 'naming those there are' "$top/err" "^glint reference: 'rgb' .* --format F: rgb888 "
 run 'render needs something to do' 2 "$glint" render "$torus"
 run 'render takes one file' 2 "$glint" render "$torus" "$torus" -o a.png
 run 'render refuses an ending it does not know' 2 "$glint" render "$torus" -o a.jpg
