@@ -47,7 +47,7 @@ all: ## Build the command line tool, build/glint
 
 demo: deps-demo ## Render the demo (or SCENE=file) into build/demo/
 	$(Q)$(MAKE) --no-print-directory tool
-	$(Q)$(GLINT) demo $(SCENE) $(BUILD)/demo
+	$(Q)$(GLINT) demo '$(SCENE)' '$(BUILD)/demo'
 
 test: deps-test ## Run every test; the last line counts them
 	$(Q)tests/tools/run.sh unit cli models core golden device docs sanitize bench

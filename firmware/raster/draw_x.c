@@ -2,33 +2,50 @@
 /* X-shading's pixels. */
 #include "raster/raster.h"
 
-static void shade_run(struct raster *r, int x, int y, int n)
+/* Adds `amount` (Q15) of a light's colour (Q8 steps at full) to a pixel: at most 1.0887 * 2^15 * 255 * 2^8 < 2^32. */
+static inline __attribute__((always_inline)) void add(uint32_t *sum, uint32_t amount, const uint16_t *steps,
+                                                      unsigned channels)
+{
+    for (unsigned c = 0; c < channels; c++)
+        sum[c] += surface_diffuse(amount, steps[c]);
+}
+
+/* A template: `channels` is constant. */
+static inline __attribute__((always_inline)) void shade(struct raster *r, int x, int y, int n, unsigned channels)
 {
     const struct surface *s = &r->surface;
     struct shade_setup *setup = &r->setup;
-    int32_t *value = r->value[0];
-    unsigned channels = s->channels;
-    for (int i = 0; i < n; i++)
+    const int32_t *const end = r->value[0] + n;
+    uint32_t *sum = r->sum[0];
+    for (int i = 0; i < n; i++, sum += 3)
         for (unsigned c = 0; c < channels; c++)
-            r->sum[i][c] = s->base[c];
+            sum[c] = s->base[c];
     for (unsigned l = 0; l < s->lights; l++) {
         if (setup->diffuse_lights >> l & 1) {
-            plane_values(&setup->plane, &setup->channel[2 * l], x, y, n, value);
-            for (int i = 0; i < n; i++) {
-                uint32_t diffuse = value[i] > 0 ? (uint32_t)value[i] >> 15 : 0;
-                for (unsigned c = 0; c < channels; c++)
-                    r->sum[i][c] += surface_diffuse(diffuse, s->light[l].diffuse[c]);
-            }
+            plane_values(&setup->plane, &setup->channel[2 * l], x, y, n, r->value[0]);
+            sum = r->sum[0];
+            for (const int32_t *value = r->value[0]; value != end; value++, sum += 3)
+                if (*value > 0)
+                    add(sum, (uint32_t)*value >> 15, s->light[l].diffuse, channels);
         }
         if (setup->specular_lights >> l & 1) {
-            plane_values(&setup->plane, &setup->channel[2 * l + 1], x, y, n, value);
-            for (int i = 0; i < n; i++) {
-                uint32_t power = fx_power(s->power, value[i]);
-                for (unsigned c = 0; c < channels; c++)
-                    r->sum[i][c] += surface_diffuse(power, s->light[l].specular[c]);
+            plane_values(&setup->plane, &setup->channel[2 * l + 1], x, y, n, r->value[0]);
+            sum = r->sum[0];
+            for (const int32_t *value = r->value[0]; value != end; value++, sum += 3) {
+                uint32_t power = fx_power(s->power, *value);
+                if (power)
+                    add(sum, power, s->light[l].specular, channels);
             }
         }
     }
+}
+
+static void shade_run(struct raster *r, int x, int y, int n)
+{
+    if (r->surface.channels == 1)
+        shade(r, x, y, n, 1);
+    else
+        shade(r, x, y, n, 3);
 }
 
 /* A channel's value and first difference at column i, row j of its origin, for the loops below. Nothing is carried from

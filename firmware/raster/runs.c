@@ -2,26 +2,19 @@
 /* The general way of drawing: any format, any number of lights, slivers too. */
 #include "raster/raster.h"
 
-/* Tests and writes the depth of n pixels: a bit for each that is nearer than what was there. */
-static uint32_t test_depth(const int32_t *value, uint16_t *depth, int n)
+/* Tests and writes the depth of n pixels: a bit for each that is nearer than what was there, counted in *drawn. */
+static inline uint32_t test_depth(const int32_t *value, uint16_t *depth, int n, uint32_t *drawn)
 {
     uint32_t mask = 0;
-    for (int i = 0; i < n; i++) {
-        uint16_t z = (uint16_t)((uint32_t)value[i] >> 16);
-        if (z > depth[i]) {
-            depth[i] = z;
-            mask |= 1u << i;
+    for (uint32_t bit = 1, end = 1u << n; bit != end; bit <<= 1, depth++) {
+        uint32_t z = (uint32_t)*value++ >> 16;
+        if (z > *depth) {
+            *depth = (uint16_t)z;
+            mask |= bit;
+            ++*drawn;
         }
     }
     return mask;
-}
-
-static uint32_t bit_count(uint32_t mask)
-{
-    uint32_t n = 0;
-    for (; mask; mask &= mask - 1)
-        n++;
-    return n;
 }
 
 /* One span; returns the pixels drawn. */
@@ -32,10 +25,9 @@ static uint32_t draw_span(struct raster *r, int y, struct span span, raster_shad
     for (int x = span.x0; x < span.x1; x += RUN) {
         int n = span.x1 - x < RUN ? span.x1 - x : RUN;
         plane_values(&r->setup.plane, &r->setup.depth, x, y, n, r->value[0]);
-        uint32_t mask = test_depth(r->value[0], depth + x, n);
+        uint32_t mask = test_depth(r->value[0], depth + x, n, &drawn);
         if (!mask)
             continue;
-        drawn += bit_count(mask);
         shade(r, x, y, n);
         raster_write(r, x, y, mask);
     }

@@ -14,31 +14,23 @@ static inline uint32_t level(uint32_t sum, uint32_t threshold, uint32_t top)
     return v > top ? top : v;
 }
 
-static inline uint32_t threshold_at(const struct raster *r, int x, int y)
-{
-    return r->dither ? (uint32_t)(2 * bayer[y & 3][x & 3] + 1) << 10 : HALF_STEP;
-}
-
-static uint32_t pack(const struct raster *r, const uint32_t sum[3], uint32_t threshold)
+/* A format's pixel from its sums: a template, called with constants. */
+static inline __attribute__((always_inline)) uint32_t pack(const struct raster *r, const uint32_t sum[3],
+                                                           uint32_t threshold, unsigned format)
 {
     const uint8_t *top = r->palette.top;
     uint32_t first = level(sum[0], threshold, top[0]);
-    if (r->palette.channels == 1)
+    if (format == GLINT_GREY8 || format == GLINT_GREY4)
         return first;
     uint32_t second = level(sum[1], threshold, top[1]), third = level(sum[2], threshold, top[2]);
-    if (r->format == GLINT_RGB565)
+    if (format == GLINT_RGB565)
         return first << 11 | second << 5 | third;
     return first << 16 | second << 8 | third;
 }
 
-uint32_t raster_colour(const struct raster *r, const uint32_t sum[3])
+static inline __attribute__((always_inline)) void put(uint8_t *row, int x, uint32_t colour, unsigned format)
 {
-    return pack(r, sum, HALF_STEP);
-}
-
-static void put(const struct raster *r, uint8_t *row, int x, uint32_t colour)
-{
-    switch (r->format) {
+    switch (format) {
     case GLINT_RGB565:
         ((uint16_t *)(void *)row)[x] = (uint16_t)colour;
         break;
@@ -56,12 +48,36 @@ static void put(const struct raster *r, uint8_t *row, int x, uint32_t colour)
     }
 }
 
-void raster_write(struct raster *r, int x, int y, uint32_t mask)
+uint32_t raster_colour(const struct raster *r, const uint32_t sum[3])
+{
+    return pack(r, sum, HALF_STEP, r->format);
+}
+
+static inline __attribute__((always_inline)) void write_as(const struct raster *r, int x, int y, uint32_t mask,
+                                                           unsigned format)
 {
     uint8_t *row = r->pixels + (uint32_t)(y - r->y0) * r->stride;
-    for (int i = 0; mask; i++, mask >>= 1)
+    const uint8_t *dither = r->dither ? bayer[y & 3] : 0;
+    for (const uint32_t *sum = r->sum[0]; mask; sum += 3, x++, mask >>= 1)
         if (mask & 1)
-            put(r, row, x + i, pack(r, r->sum[i], threshold_at(r, x + i, y)));
+            put(row, x, pack(r, sum, dither ? (uint32_t)(2 * dither[x & 3] + 1) << 10 : HALF_STEP, format), format);
+}
+
+void raster_write(struct raster *r, int x, int y, uint32_t mask)
+{
+    switch (r->format) {
+    case GLINT_RGB565:
+        write_as(r, x, y, mask, GLINT_RGB565);
+        break;
+    case GLINT_RGB888:
+        write_as(r, x, y, mask, GLINT_RGB888);
+        break;
+    case GLINT_GREY8:
+        write_as(r, x, y, mask, GLINT_GREY8);
+        break;
+    default:
+        write_as(r, x, y, mask, GLINT_GREY4);
+    }
 }
 
 /* Fills words, eight at a time. */
@@ -96,7 +112,7 @@ void raster_clear(struct raster *r, const struct scene_header *scene)
     if (r->format == GLINT_RGB888 && colour % 0x10101u) {
         for (uint32_t y = 0; y < rows; y++)
             for (int x = 0; x < r->width; x++)
-                put(r, r->pixels + y * r->stride, x, colour);
+                put(r->pixels + y * r->stride, x, colour, GLINT_RGB888);
         return;
     }
     uint32_t word = r->format == GLINT_RGB565  ? colour | colour << 16

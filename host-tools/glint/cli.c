@@ -3,6 +3,7 @@
 
 #include "glint.h"
 
+#include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -77,6 +78,27 @@ int cli_choice(const char *text, const char *const names[], int count)
         if (strcmp(text, names[i]) == 0)
             return i;
     return -1;
+}
+
+static volatile sig_atomic_t cli_signal;
+
+static void cli_note_signal(int number)
+{
+    cli_signal = number;
+}
+
+void cli_catch_signals(void)
+{
+    static const int numbers[] = {SIGINT, SIGTERM};
+    struct sigaction note = {.sa_handler = cli_note_signal}, old; /* without SA_RESTART: a write to a full pipe ends */
+    for (int i = 0; i < 2; i++)
+        if (sigaction(numbers[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN) /* nohup and its like */
+            sigaction(numbers[i], &note, NULL);
+}
+
+int cli_interrupted(void)
+{
+    return cli_signal;
 }
 
 double cli_clock(void)

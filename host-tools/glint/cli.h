@@ -27,6 +27,11 @@ int cli_choice(const char *text, const char *const names[], int count);
 extern const char *const cli_formats[];
 extern const char *const cli_methods[];
 
+/* From now on SIGINT and SIGTERM only set what cli_interrupted() returns, the signal's number, so that work under way
+ * can take back what it has written. */
+void cli_catch_signals(void);
+int cli_interrupted(void);
+
 /* Milliseconds of an arbitrary origin, steady. */
 double cli_clock(void);
 

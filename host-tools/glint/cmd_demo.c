@@ -114,11 +114,12 @@ static int demo_frames(struct demo *demo)
 {
     struct progress progress;
     int code = CLI_DONE;
+    cli_catch_signals();
     progress_begin(&progress, false);
     for (uint32_t i = 0; !code && i < demo->frames; i++) {
         uint32_t delay = demo_moment(demo, i + 1) - demo_moment(demo, i);
         demo_draw(demo, i);
-        code = output_picture(&demo->folder, i, delay, demo->picture, 3 * demo->width);
+        code = cli_interrupted() ? CLI_IO : output_picture(&demo->folder, i, delay, demo->picture, 3 * demo->width);
         if (!code)
             code = output_picture(&demo->animation, i, delay, demo->picture, 3 * demo->width);
         if (!code && i == demo->frames / 2 && !demo_measure(demo, i)) {

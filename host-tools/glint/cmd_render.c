@@ -244,9 +244,10 @@ static int render_frames(struct render *render)
     if (!code && render->path)
         code = output_open(&render->output, config->width, config->height, (enum hal_pixel_format)config->format,
                            render->frames, render->rate);
+    cli_catch_signals();
     progress_begin(&progress, render->progress);
     for (uint32_t i = 0; !code && i < render->frames; i++) {
-        code = render_frame(render, i);
+        code = cli_interrupted() ? CLI_IO : render_frame(render, i);
         progress_step(&progress, i + 1, render->frames);
     }
     progress_end(&progress);

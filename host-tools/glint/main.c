@@ -55,6 +55,10 @@ int main(int argc, char **argv)
     /* a reader that leaves shows as EPIPE where we write, and is reported */
     signal(SIGPIPE, SIG_IGN);
     int code = main_run(argc, argv);
+    if (cli_interrupted()) { /* the caller sees by what */
+        signal(cli_interrupted(), SIG_DFL);
+        raise(cli_interrupted());
+    }
     errno = 0;
     if ((fflush(stdout) != 0 || ferror(stdout)) && code == CLI_DONE) {
         fprintf(stderr, "standard output: %s\n", strerror(errno ? errno : EIO));

@@ -55,6 +55,17 @@ small='--size 32x24'
     chmod 755 sealed
 
     fresh
+    timeout 0.5 "$glint" render "$torus" --frames 1000000 -o long.raw
+    code=$?
+    if [ $code -eq 124 ] && [ -z "$(ls -A)" ]; then
+        say ok 'an interrupted picture leaves nothing'
+    else
+        say FAIL 'an interrupted picture leaves nothing' "exit code $code, $(ls -A)"
+    fi
+    timeout 0.5 "$glint" demo "$scenes/demo.json" out --frames 10000
+    if [ -z "$(ls -A out)" ]; then say ok 'nor does a demo'; else say FAIL 'nor does a demo' "$(ls -A out | wc -l) files"; fi
+
+    fresh
     echo old >a.png
     run 'a failure keeps the old file' 1 "$glint" render "$torus" $small -o a.png --expect /dev/null
     matches 'as it was' a.png '^old$'

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* From positions and lights to screen and vertex records, against double precision. */
-#include "geometry/object.h"
+/* From positions to the screen, against double precision. */
 #include "geometry/project.h"
-#include "random.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -11,124 +9,9 @@
 
 #include <cmocka.h>
 
-#include "scene_case.h"
+#include "place_case.h"
 
-/* A case: camera, object and mesh, from which both ways start. */
-static struct scene_header scene;
-static struct scene_mesh mesh;
-static struct pose pose;
-static uint16_t width, height;
-
-struct place {
-    double x, y, z; /* eye's axes, scene units, z ahead */
-    double sx, sy;  /* sub-pixels from the picture's centre, y down */
-    double depth;
-};
-
-/* The matrix of a quaternion as stored, rows first. */
-static void real_matrix(const q30_t q[4], double m[3][3])
-{
-    const double w = q[0] * 0x1p-30, x = q[1] * 0x1p-30, y = q[2] * 0x1p-30, z = q[3] * 0x1p-30;
-    const double rows[3][3] = {{w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)},
-                               {2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)},
-                               {2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z}};
-    memcpy(m, rows, sizeof rows);
-}
-
-static void apply(double m[3][3], const double v[3], double out[3])
-{
-    for (int i = 0; i < 3; i++)
-        out[i] = m[i][0] * v[0] + m[i][1] * v[1] + m[i][2] * v[2];
-}
-
-static void world_place(const int16_t p[3], double out[3])
-{
-    double m[3][3], local[3];
-    for (int i = 0; i < 3; i++)
-        local[i] = (mesh.centre[i] + mesh.extent * (p[i] / 32768.)) / 65536 * (pose.scale / 65536.);
-    real_matrix(pose.rotation.q, m);
-    apply(m, local, out);
-    for (int i = 0; i < 3; i++)
-        out[i] += pose.position[i] / 65536.;
-}
-
-static double real_focal(void)
-{
-    const struct scene_camera *c = &scene.camera;
-    return c->focal / 65536. * fmin(width / (double)c->reference_width, height / (double)c->reference_height);
-}
-
-static struct place truth(const int16_t p[3])
-{
-    const struct scene_camera *c = &scene.camera;
-    double m[3][3], world[3], eye[3], f = 16 * real_focal();
-    double near_z = c->near_plane / 65536., far_z = c->far_plane / 65536.;
-    world_place(p, world);
-    for (int i = 0; i < 3; i++)
-        world[i] -= c->position[i] / 65536.;
-    real_matrix(c->rotation, m);
-    apply(m, world, eye);
-    struct place at = {eye[0], eye[1], -eye[2], f * eye[0], -f * eye[1], (far_z + eye[2]) / (far_z - near_z)};
-    if (c->kind == CAMERA_PERSPECTIVE) {
-        at.sx /= at.z;
-        at.sy /= at.z;
-        at.depth = near_z / at.z;
-    }
-    at.depth = DEPTH_FAR + at.depth * (DEPTH_NEAR - DEPTH_FAR);
-    return at;
-}
-
-static void random_rotation(q30_t q[4])
-{
-    double v[4];
-    random_direction(v, 4);
-    for (int i = 0; i < 4; i++)
-        q[i] = (q30_t)lrint(v[i] * 0x1p30);
-}
-
-/* Something that is likely to be seen: in front of the camera, some pixels large, at any scale of the numbers. */
-static void random_case(enum scene_camera_kind kind)
-{
-    struct scene_camera *c = &scene.camera;
-    width = (uint16_t)random_between(1, 1024);
-    height = (uint16_t)random_between(1, 1024);
-    c->kind = (uint16_t)kind;
-    random_rotation(c->rotation);
-    random_rotation(pose.rotation.q);
-    c->reference_width = (uint16_t)random_between(1, 2048);
-    c->reference_height = (uint16_t)random_between(1, 2048);
-    pose.scale = (q16_t)random_magnitude(1 << 8, (1 << 24) - 1);
-    mesh.extent = (q16_t)random_magnitude(1 << 6, (1 << 30) - 1);
-    mesh.radius = (q16_t)fmin(mesh.extent * 1.7320509 + 1, 0x1p31 - 1);
-    double size = mesh.extent * (double)pose.scale / 65536, m[3][3], offset[3], ahead[3];
-    double distance = fmin(size * random_magnitude(.5, 4000), 0x1p29);
-    double most = 65536 * random_magnitude(1, 16384), aside = distance * random_real(0, .7);
-    if (distance < 256)
-        distance = 256;
-    /* the object's centre, from the eye, turned back into the world */
-    for (int i = 0; i < 3; i++)
-        ahead[i] = i == 2 ? -distance : random_real(-aside, aside);
-    real_matrix(c->rotation, m);
-    for (int i = 0; i < 3; i++)
-        offset[i] = m[0][i] * ahead[0] + m[1][i] * ahead[1] + m[2][i] * ahead[2];
-    for (int i = 0; i < 3; i++) {
-        mesh.centre[i] = random_bits() & 1 ? (q16_t)random_real(-mesh.extent, mesh.extent) : 0;
-        c->position[i] = (q16_t)fmax(fmin(random_real(-most, most), 0x1p30 - 1), 1 - 0x1p30);
-        pose.position[i] = (q16_t)fmax(fmin(c->position[i] + offset[i], 0x1p30 - 1), 1 - 0x1p30);
-    }
-    double pixels = random_magnitude(2, 600), f = pixels * 65536 / size;
-    f = kind == CAMERA_PERSPECTIVE ? f * distance / 65536 : f;
-    f *= 65536 / fmin(width / (double)c->reference_width, height / (double)c->reference_height);
-    c->focal = (q16_t)fmax(fmin(f, 0x1p30 - 1), 4096);
-    c->near_plane = (q16_t)fmax(fmin(distance * random_real(.001, 1), 0x1p30), 256);
-    c->far_plane = (q16_t)fmin(c->near_plane + 2 * size + distance * random_real(1, 3), 0x1p31 - 1);
-}
-
-static void random_position(int16_t p[3])
-{
-    for (int i = 0; i < 3; i++)
-        p[i] = (int16_t)(random_bits() % 4 ? random_between(-32768, 32767) : random_between(0, 1) * 65535 - 32768);
-}
+#include <stdlib.h>
 
 /* The sphere's largest distance ahead, and its reach to the sides, in sub-pixels at the distance of `at`. */
 static void reach_of(const struct place *at, double *ahead, double *side)
@@ -237,11 +120,120 @@ static void an_orthographic_vertex_is_placed_to_the_nearest_sub_pixel(void **sta
     check_cases(CAMERA_ORTHOGRAPHIC, 52);
 }
 
+static void an_object_is_left_out_only_if_no_part_of_it_is_between_the_planes(void **state)
+{
+    (void)state;
+    int out = 0, in = 0;
+    random_seed(53);
+    for (int i = 0; i < 100000; i++) {
+        struct transform t;
+        struct matrix to_eye;
+        random_case(i & 1 ? CAMERA_PERSPECTIVE : CAMERA_ORTHOGRAPHIC);
+        if (i & 2) /* something behind it or far off */
+            for (int k = 0; k < 3; k++)
+                pose.position[k] = 2 * scene.camera.position[k] - pose.position[k];
+        scene.camera.far_plane = scene.camera.near_plane + 1 + (random_bits() >> random_between(1, 31)) % 0x20000000;
+        static const int16_t middle[3] = {0, 0, 0};
+        double ahead = truth(middle).z, radius = mesh.radius / 65536. * pose.scale / 65536,
+               slack = 0x1p-22 * (fabs(ahead) + radius + 1);
+        double beyond =
+            fmax(scene.camera.near_plane / 65536. - ahead - radius, ahead - radius - scene.camera.far_plane / 65536.);
+        if (fabs(beyond) < slack * fmax(1, pose.scale / 65536.))
+            continue;
+        assert_int_equal(setup(&t, &to_eye), beyond < 0);
+        out += beyond > 0;
+        in += beyond < 0;
+    }
+    assert_true(out > 1000 && in > 1000);
+}
+
+/* Every field anywhere in the range that scene.h gives it: nothing overflows (a sanitizer would say so), and what is
+ * placed is inside the guard band and the depths. */
+static void the_extremes_of_all_ranges_do_not_overflow(void **state)
+{
+    (void)state;
+    int placed = 0;
+    random_seed(54);
+    for (int i = 0; i < 200000; i++) {
+        struct scene_camera *c = &scene.camera;
+        struct transform t;
+        struct matrix to_eye;
+        random_case(i & 1 ? CAMERA_PERSPECTIVE : CAMERA_ORTHOGRAPHIC);
+        for (int k = 0; k < 3; k++) {
+            static const q16_t most[] = {(1 << 30) - 1, 1 - (1 << 30), 0};
+            c->position[k] = i & 2 ? most[random_bits() % 3] : c->position[k];
+            pose.position[k] = i & 4 ? most[random_bits() % 3] : pose.position[k];
+            mesh.centre[k] = i & 8 ? most[random_bits() % 3] : mesh.centre[k];
+        }
+        mesh.extent = i & 16 ? random_bits() & 1 ? 1 << 6 : (1 << 30) - 1 : mesh.extent;
+        mesh.radius = i & 32 ? random_bits() & 1 ? 1 : INT32_MAX : mesh.radius;
+        if (mesh.radius < mesh.extent * 1.7320509) /* scene_check() would refuse it */
+            mesh.radius = (q16_t)fmin(mesh.extent * 1.7320509 + 1, 0x1p31 - 1);
+        pose.scale = i & 64 ? random_bits() & 1 ? 1 << 8 : (1 << 24) - 1 : pose.scale;
+        c->focal = i & 128 ? random_bits() & 1 ? 1 << 12 : (1 << 30) - 1 : c->focal;
+        c->near_plane = i & 256 ? 256 : c->near_plane;
+        c->far_plane = i & 512 ? INT32_MAX : c->near_plane + 1;
+        width = i & 1024 ? 2048 : 1;
+        height = i & 2048 ? 2048 : 1;
+        c->reference_width = i & 4096 ? 2048 : 1;
+        c->reference_height = i & 8192 ? 2048 : 1;
+        if (!setup(&t, &to_eye))
+            continue;
+        for (int j = 0; j < 4; j++) {
+            int16_t p[3];
+            struct screen_point at;
+            random_position(p);
+            if (!project(&t, transform_point(&t, p), &at))
+                continue;
+            placed++;
+            assert_true(at.x >= -GUARD && at.x <= GUARD && at.y >= -GUARD && at.y <= GUARD);
+            assert_true(at.depth >= DEPTH_FAR && at.depth <= DEPTH_NEAR);
+        }
+    }
+    assert_true(placed > 10000);
+}
+
+/* Whichever object a point belongs to, its depth is the same: the numbers of each object's rows differ. */
+static void depth_does_not_depend_on_the_object(void **state)
+{
+    (void)state;
+    random_seed(55);
+    for (int i = 0; i < 20000; i++) {
+        static const int16_t middle[3] = {0, 0, 0};
+        struct screen_point at[3];
+        int placed = 0;
+        memset(&scene, 0, sizeof scene);
+        memset(&mesh, 0, sizeof mesh);
+        width = height = scene.camera.reference_width = scene.camera.reference_height = 64;
+        scene.camera.kind = i & 1 ? CAMERA_PERSPECTIVE : CAMERA_ORTHOGRAPHIC;
+        scene.camera.rotation[0] = pose.rotation.q[0] = 1 << 30;
+        pose.rotation.q[1] = pose.rotation.q[2] = pose.rotation.q[3] = 0;
+        scene.camera.focal = 64 * PLACE_UNIT;
+        scene.camera.near_plane = (q16_t)random_magnitude(PLACE_UNIT / 16, PLACE_UNIT);
+        scene.camera.far_plane = (q16_t)random_magnitude(4 * PLACE_UNIT, 30000. * PLACE_UNIT);
+        pose.position[0] = pose.position[1] = 0;
+        pose.position[2] = -random_between(scene.camera.near_plane + 1, 4 * PLACE_UNIT - 1);
+        pose.scale = PLACE_UNIT;
+        for (int k = 0; k < 3; k++) { /* three sizes about the same point */
+            struct transform t;
+            struct matrix to_eye;
+            mesh.extent = (q16_t)random_magnitude(64, 4000. * PLACE_UNIT);
+            mesh.radius = (q16_t)(mesh.extent * 1.7320509 + 1);
+            placed += setup(&t, &to_eye) && project(&t, transform_point(&t, middle), &at[k]);
+        }
+        assert_int_equal(placed, 3);
+        assert_true(abs(at[0].depth - at[1].depth) <= 3 && abs(at[0].depth - at[2].depth) <= 3);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_vertex_in_perspective_is_placed_to_the_nearest_sub_pixel),
         cmocka_unit_test(an_orthographic_vertex_is_placed_to_the_nearest_sub_pixel),
+        cmocka_unit_test(an_object_is_left_out_only_if_no_part_of_it_is_between_the_planes),
+        cmocka_unit_test(the_extremes_of_all_ranges_do_not_overflow),
+        cmocka_unit_test(depth_does_not_depend_on_the_object),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
