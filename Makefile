@@ -79,6 +79,9 @@ test-exhaustive: deps-test ## Whole domains of the fixed-point functions (minute
 bench: deps-test ## Instructions a frame on Cortex-M0+, M3, M4 and the host; writes build/bench/bench.csv
 	$(Q)$(MAKE) --no-print-directory bench-table
 
+figures: bench all ## Write the README's tables of quality and cost anew
+	$(Q)tests/tools/figures.sh $(BUILD)/glint $(BUILD)/bench/bench.csv README.md
+
 profile: deps-test ## Instructions by function: CPU=m4 RENDER="bench-torus288 x" [BANDS=8] [FIRST=1]
 	$(Q)$(MAKE) --no-print-directory profile-run
 
@@ -148,4 +151,4 @@ include tests/tools/suites.mk
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
 .PHONY: all tool demo test test-unit test-cli test-models test-core test-golden test-device test-sanitize test-exhaustive \
-	bench profile size stack golden lint format check-format deps deps-demo deps-test clean help
+	bench figures profile size stack golden lint format check-format deps deps-demo deps-test clean help

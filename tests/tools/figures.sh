@@ -1,0 +1,59 @@
+#!/bin/bash
+# SPDX-License-Identifier: MIT
+# figures.sh GLINT BENCH.CSV README: writes README's tables of quality and cost anew, between its figure marks.
+set -eu
+glint=$1 csv=$2 readme=$3
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+quality() { # scene exponent command method
+    "$glint" "$3" "tests/scenes/$1.json" --shininess "$2" --method "$4" --format grey8 -o "$work/picture.png"
+    "$glint" compare "$work/picture.png" "$work/truth.png" --json |
+        sed -E 's/.*"psnr_db": *([0-9.]+).*"max": *([0-9.]+).*/\1 \2/' | awk '{ printf " %.1f / %d |", $1, $2 }'
+}
+{
+    echo
+    echo "Torus of 288 triangles, 240×240, 8-bit grey, against per-pixel Phong in double precision: PSNR in dB / largest"
+    echo "difference in 1/255. \"ideal\" is the same method in double precision."
+    echo
+    echo "| exponent | Gouraud | X | X, ideal | Phong |"
+    echo "|---|---|---|---|---|"
+    for row in "torus288 5" "torus288 20" "torus288 50" "torus288-persp 20"; do
+        set -- $row
+        "$glint" reference "tests/scenes/$1.json" --shininess "$2" --format grey8 -o "$work/truth.png"
+        printf '| %s%s |' "$2" "$([[ $1 == *persp ]] && echo ', in perspective')"
+        quality "$1" "$2" render gouraud
+        quality "$1" "$2" render x
+        quality "$1" "$2" reference x
+        quality "$1" "$2" render phong
+        echo
+    done
+    echo
+    echo "    build/glint render tests/scenes/torus288.json --shininess 20 --method x --format grey8 -o x.png"
+    echo "    build/glint reference tests/scenes/torus288.json --shininess 20 --format grey8 -o truth.png"
+    echo "    build/glint compare x.png truth.png"
+    echo
+    echo "Million instructions a frame: 320×240 RGB565, z-buffered, clear included, diffuse + specular, a torus of 288 and of"
+    echo "4000 triangles (\`make bench\`):"
+    echo
+    echo "| | M0+, 288 | M4, 288 | M0+, 4000 | M4, 4000 | RAM, 288: whole frame / 8 bands |"
+    echo "|---|---|---|---|---|---|"
+    awk -F, '
+        { n[$1, $2, $3, $4, $5] = $7 / 1e6; ram[$2, $3, $4, $5] = int(($8 + $9) / 1024 + .5) }
+        function row(name, method, table) {
+            printf "| %s | %.2f | %.2f | %.2f | %.2f | %d / %d KiB |\n", name, n["m0plus", "bench-torus288", method, 1, table],
+                n["m4", "bench-torus288", method, 1, table], n["m0plus", "bench-torus4000", method, 1, table],
+                n["m4", "bench-torus4000", method, 1, table], ram["bench-torus288", method, 1, table],
+                ram["bench-torus288", method, 8, table]
+        }
+        END {
+            row("flat", "flat", 0); row("Gouraud", "gouraud", 0); row("**X with a colour table**", "x", 1)
+            row("X without", "x", 0); row("Phong, normalised per pixel", "phong", 0)
+        }' "$csv"
+    echo
+} >"$work/figures"
+awk -v figures="$work/figures" '
+    /<!-- figures end -->/ { inside = 0 }
+    !inside { print }
+    /<!-- figures begin/ { inside = 1; while ((getline line < figures) > 0) print line }' "$readme" >"$work/readme"
+cat "$work/readme" >"$readme"

@@ -1,0 +1,99 @@
+/* SPDX-License-Identifier: MIT */
+/* A renderer in memory of exactly the size it asks for, with sentinels on either side. Include after cmocka.h. */
+#ifndef FRAME_CASE_H
+#define FRAME_CASE_H
+
+#include "glint.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define FRAME_SENTINELS 64 /* bytes before and after each block */
+
+struct frame_case {
+    struct glint_config config; /* size, format, method and stores: set before opening */
+    struct glint_frame frame;
+    uint8_t *block[3];
+    size_t block_bytes[3];
+    uint8_t *picture; /* all rows, one after the other */
+    size_t picture_bytes;
+};
+
+static inline void *frame_case_block(struct frame_case *f, int i, size_t bytes)
+{
+    f->block_bytes[i] = bytes;
+    f->block[i] = malloc(bytes + 2 * FRAME_SENTINELS);
+    assert_non_null(f->block[i]);
+    memset(f->block[i], 0xA5, bytes + 2 * FRAME_SENTINELS);
+    return f->block[i] + FRAME_SENTINELS;
+}
+
+/* Nothing has been written beside the memory and the bands. */
+static inline void frame_case_guards(const struct frame_case *f)
+{
+    for (int i = 0; i < 3; i++)
+        for (size_t j = 0; f->block[i] && j < FRAME_SENTINELS; j++) {
+            assert_int_equal(f->block[i][j], 0xA5);
+            assert_int_equal(f->block[i][FRAME_SENTINELS + f->block_bytes[i] + j], 0xA5);
+        }
+}
+
+/* As config stands; band_rows 0 is all rows, max_lights is given. */
+static inline void frame_case_open(struct frame_case *f)
+{
+    struct glint_config *c = &f->config;
+    c->band_rows = c->band_rows ? c->band_rows : c->height;
+    c->memory_bytes = glint_memory_needed(c);
+    assert_true(c->memory_bytes > 0);
+    c->memory = frame_case_block(f, 0, c->memory_bytes);
+    c->band[0] = frame_case_block(f, 1, glint_band_bytes(c));
+    c->band[1] = frame_case_block(f, 2, glint_band_bytes(c));
+    f->picture_bytes = glint_row_bytes(c) * c->height;
+    f->picture = malloc(f->picture_bytes);
+    assert_non_null(f->picture);
+    assert_int_equal(glint_init(&f->frame, c), 0);
+}
+
+/* With stores that fit the scene. */
+static inline void frame_case_open_for(struct frame_case *f, const void *scene)
+{
+    glint_fit_stores(&f->config, scene);
+    frame_case_open(f);
+}
+
+/* The next band, copied to the picture: 0 after the last. */
+static inline int frame_case_band(struct frame_case *f)
+{
+    struct glint_band band;
+    size_t row_bytes = glint_row_bytes(&f->config);
+    int more = glint_frame_next_band(&f->frame, &band);
+    assert_true(more == 0 || more == 1);
+    for (unsigned row = 0; more && row < band.rows; row++)
+        memcpy(f->picture + (band.y + row) * row_bytes, (uint8_t *)band.pixels + row * band.stride, row_bytes);
+    return more;
+}
+
+static inline void frame_case_draw(struct frame_case *f, const void *scene, uint32_t time_ms)
+{
+    memset(f->picture, 0x5A, f->picture_bytes);
+    assert_int_equal(glint_frame_begin(&f->frame, scene, time_ms), 0);
+    while (frame_case_band(f))
+        ;
+    frame_case_guards(f);
+}
+
+static inline uint32_t frame_case_drawn(const struct frame_case *f)
+{
+    const uint32_t *drawn = f->frame.stats.drawn;
+    return drawn[GLINT_FLAT] + drawn[GLINT_GOURAUD] + drawn[GLINT_X] + drawn[GLINT_PHONG];
+}
+
+static inline void frame_case_close(struct frame_case *f)
+{
+    for (int i = 0; i < 3; i++)
+        free(f->block[i]);
+    free(f->picture);
+    memset(f, 0, sizeof *f);
+}
+
+#endif

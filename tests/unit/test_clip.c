@@ -1,0 +1,393 @@
+/* SPDX-License-Identifier: MIT */
+/* Triangles cut at the near and far planes and the guard band. */
+#include "cover.h"
+#include "geometry/clip.h"
+#include "random.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "frame_case.h"
+#include "scene_case.h"
+
+#define WIDTH  64
+#define HEIGHT 48
+#define RING   6
+
+static struct scene_case scene;
+static struct scene_vertex vertex[RING + 1]; /* a fan: the centre last */
+static struct scene_triangle triangle[RING];
+
+/* A closed fan of `count` triangles around vertex[count]. */
+static struct scene_header *fan_blob(unsigned count)
+{
+    for (unsigned i = 0; i < count; i++) {
+        triangle[i].corner[0] = (uint16_t)count;
+        triangle[i].corner[1] = (uint16_t)i;
+        triangle[i].corner[2] = (uint16_t)((i + 1) % count);
+        scene_case_bend(&triangle[i], vertex);
+    }
+    scene.mesh[0].vertices = vertex;
+    scene.mesh[0].triangles = triangle;
+    scene.mesh[0].vertex_count = count + 1;
+    scene.mesh[0].triangle_count = count;
+    return scene_case_blob(&scene);
+}
+
+/* Leaves only one of the mesh's triangles, or brings all back. */
+static void keep_one(struct scene_header *blob, unsigned which)
+{
+    struct scene_mesh *mesh = (struct scene_mesh *)((uint8_t *)blob + blob->meshes);
+    struct scene_triangle *at = (struct scene_triangle *)((uint8_t *)blob + mesh->triangles);
+    at[0] = triangle[which];
+    mesh->triangle_count = 1;
+}
+
+/* Adds to count[] where each triangle alone is drawn; returns how many were clipped. */
+static uint32_t count_pixels(struct frame_case *f, struct scene_header *blob, unsigned triangles, uint8_t *count)
+{
+    uint32_t clipped = 0;
+    memset(count, 0, WIDTH * HEIGHT);
+    for (unsigned i = 0; i < triangles; i++) {
+        keep_one(blob, i);
+        frame_case_draw(f, blob, 0);
+        assert_int_equal(f->frame.stats.dropped, 0);
+        clipped += f->frame.stats.clipped;
+        for (size_t p = 0; p < WIDTH * HEIGHT; p++)
+            count[p] = (uint8_t)(count[p] + (f->picture[p] != 0));
+    }
+    return clipped;
+}
+
+static void open_grey(struct frame_case *f, const struct glint_method *method)
+{
+    *f = (struct frame_case){.config = {.width = WIDTH, .height = HEIGHT, .format = GLINT_GREY8, .method = method}};
+    f->config.max_vertices = RING + 1;
+    f->config.max_triangles = f->config.max_clipped = 8 * RING;
+    f->config.max_objects = f->config.max_lights = 1;
+    frame_case_open(f);
+}
+
+/* An orthographic camera under which a position unit is a sub-pixel, so that corners beyond the guard band are known.
+ */
+static void sub_pixel_camera(void)
+{
+    scene_case_default(&scene, WIDTH, HEIGHT);
+    scene.head.camera.kind = CAMERA_ORTHOGRAPHIC;
+    scene.head.camera.focal = CASE_UNIT;
+    scene.mesh[0].head.extent = 2048 * CASE_UNIT;
+    scene.mesh[0].head.radius = 8192 * CASE_UNIT;
+    scene.head.camera.far_plane = 20000 * CASE_UNIT;
+    scene.object[0].position[2] = -9000 * CASE_UNIT;
+}
+
+static struct cover_point corner[RING + 1];
+
+/* At the guard band, beyond it, or anywhere about the picture; of the first, often exactly there. */
+static struct cover_point random_corner(void)
+{
+    static const int special[] = {GUARD, GUARD - 1, GUARD + 1, -GUARD, 1 - GUARD, -GUARD - 1, 0};
+    struct cover_point p = {random_between(-32000, 32000), random_between(-32000, 32000)};
+    if (random_bits() % 3 == 0)
+        p.x = special[random_bits() % 7];
+    if (random_bits() % 3 == 0)
+        p.y = special[random_bits() % 7];
+    return p;
+}
+
+static int by_angle(const void *left, const void *right)
+{
+    const struct cover_point *a = left, *b = right;
+    double d =
+        atan2(b->y - corner[RING].y, b->x - corner[RING].x) - atan2(a->y - corner[RING].y, a->x - corner[RING].x);
+    return d > 0 ? 1 : d < 0 ? -1 : 0;
+}
+
+/* A fan about a point in or near the picture, most of it outside the guard band; clockwise with y down. */
+static int random_fan(void)
+{
+    corner[RING] = (struct cover_point){random_between(-640, 640), random_between(-500, 500)};
+    for (int i = 0; i < RING; i++)
+        corner[i] = random_corner();
+    qsort(corner, RING, sizeof *corner, by_angle);
+    for (int i = 0; i < RING; i++)
+        if (cover_turn(corner[RING], corner[i], corner[(i + 1) % RING]) <= 0)
+            return 0;
+    for (int i = 0; i <= RING; i++) {
+        vertex[RING == i ? RING : RING - 1 - i].position[0] = (int16_t)corner[i].x; /* y is turned over */
+        vertex[RING == i ? RING : RING - 1 - i].position[1] = (int16_t)-corner[i].y;
+        vertex[i].position[2] = 0;
+        scene_case_normal(vertex[i].normal, 0, 0, 1);
+    }
+    return 1;
+}
+
+/* Sub-pixels from a point to the fan's outline. */
+static double distance_to_outline(struct cover_point p)
+{
+    double nearest = 1e9;
+    for (int i = 0; i < RING; i++) {
+        struct cover_point a = corner[i], b = corner[(i + 1) % RING];
+        nearest = fmin(nearest, fabs((double)cover_turn(a, b, p)) / hypot(b.x - a.x, b.y - a.y));
+    }
+    return nearest;
+}
+
+static void edge_shared_across_the_guard_band_is_drawn_once(void **state)
+{
+    (void)state;
+    static uint8_t count[WIDTH * HEIGHT];
+    struct frame_case f;
+    uint32_t clipped = 0;
+    long covered = 0;
+    sub_pixel_camera();
+    open_grey(&f, &glint_flat);
+    random_seed(61);
+    for (int fans = 0; fans < 2000;) {
+        if (!random_fan())
+            continue;
+        struct scene_header *blob = fan_blob(RING);
+        clipped += count_pixels(&f, blob, RING, count);
+        for (int p = 0; p < WIDTH * HEIGHT; p++) {
+            struct cover_point centre = cover_centre(p % WIDTH, p / WIDTH, WIDTH, HEIGHT);
+            int wanted = cover_polygon(corner, RING, centre);
+            covered += wanted;
+            /* A cut is rounded to a sub-pixel, so the outline may move by one. */
+            if (count[p] > 1 || (count[p] != wanted && distance_to_outline(centre) > 2)) {
+                for (int i = 0; i <= RING; i++)
+                    print_message("(%d, %d)/16 px\n", corner[i].x, corner[i].y);
+                fail_msg("pixel (%d, %d) is drawn %d times, not %d", p % WIDTH, p / WIDTH, count[p], wanted);
+            }
+        }
+        free(blob);
+        fans++;
+    }
+    frame_case_close(&f);
+    assert_true(clipped > 4000 && covered > 100000);
+}
+
+/* How much of light falls on the fan's triangle at a pixel, by X's polynomial over the whole triangle, uncut. */
+static double phi(const struct scene_triangle *t, struct cover_point c)
+{
+    struct cover_point p[3];
+    double value[3], l[3], sum = 0;
+    for (int k = 0; k < 3; k++) {
+        const struct scene_vertex *v = &vertex[t->corner[k]];
+        p[k] = (struct cover_point){v->position[0], -v->position[1]};
+        value[k] = v->normal[2] / 16384.;
+    }
+    for (int k = 0; k < 3; k++)
+        l[k] = (double)cover_turn(c, p[(k + 1) % 3], p[(k + 2) % 3]) / (double)cover_turn(p[0], p[1], p[2]);
+    for (int k = 0; k < 3; k++)
+        sum += value[k] * l[k] + (value[k] + value[(k + 1) % 3]) * (t->bend[k] / 65536.) * l[k] * l[(k + 1) % 3];
+    return sum;
+}
+
+static void x_on_pieces_has_the_values_of_the_whole_triangle(void **state)
+{
+    (void)state;
+    struct frame_case f;
+    double worst = 0;
+    long compared = 0;
+    sub_pixel_camera();
+    scene.material[0].ka = 0;
+    scene.material[0].kd = 32768;
+    open_grey(&f, &glint_x);
+    random_seed(62);
+    for (int fans = 0; fans < 1000;) {
+        if (!random_fan())
+            continue;
+        for (int i = 0; i <= RING; i++) {
+            double n[3];
+            random_direction(n, 3);
+            scene_case_normal(vertex[i].normal, n[0], n[1], fabs(n[2]) + .3);
+        }
+        struct scene_header *blob = fan_blob(RING);
+        for (unsigned i = 0; i < RING; i++) {
+            keep_one(blob, i);
+            frame_case_draw(&f, blob, 0);
+            if (f.frame.stats.clipped == 0)
+                continue;
+            for (int p = 0; p < WIDTH * HEIGHT; p++) {
+                double wanted = 255 * phi(&triangle[i], cover_centre(p % WIDTH, p / WIDTH, WIDTH, HEIGHT));
+                if (f.picture[p] == 0)
+                    continue;
+                double error = fabs(f.picture[p] - wanted) - .5;
+                worst = fmax(worst, error);
+                compared++;
+                if (wanted < 255 && error > .5) {
+                    const uint16_t *c = triangle[i].corner;
+                    fail_msg("(%d, %d) (%d, %d) (%d, %d)/16 px: pixel (%d, %d) is %d, not %.2f",
+                             vertex[c[0]].position[0], -vertex[c[0]].position[1], vertex[c[1]].position[0],
+                             -vertex[c[1]].position[1], vertex[c[2]].position[0], -vertex[c[2]].position[1], p % WIDTH,
+                             p / WIDTH, f.picture[p], wanted);
+                }
+            }
+        }
+        free(blob);
+        fans++;
+    }
+    print_message("%ld pixels of pieces, at most %.3f/255 off beyond rounding\n", compared, worst);
+    frame_case_close(&f);
+    assert_true(compared > 100000);
+}
+
+/* The plane of a fan in front of, around and behind the eye: its axes and a point, in scene units of the eye. */
+static double axis[2][3], origin[3];
+
+static void random_plane(void)
+{
+    double dot = 0, length = 0;
+    random_direction(axis[0], 3);
+    random_direction(axis[1], 3);
+    for (int i = 0; i < 3; i++)
+        dot += axis[0][i] * axis[1][i];
+    for (int i = 0; i < 3; i++) {
+        axis[1][i] -= dot * axis[0][i];
+        length += axis[1][i] * axis[1][i];
+    }
+    for (int i = 0; i < 3; i++)
+        axis[1][i] /= sqrt(length);
+}
+
+/* Whether a ray through (sx, sy), sub-pixels from the picture's centre, meets the fan between the planes. */
+static int ray_meets(double sx, double sy)
+{
+    double d[3] = {sx / 16 / WIDTH, -sy / 16 / WIDTH, -1}, n[3], above = 0, down = 0, at[2] = {0, 0};
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        n[i] = axis[0][j] * axis[1][k] - axis[0][k] * axis[1][j];
+        above += n[i] * origin[i];
+        down += n[i] * d[i];
+    }
+    double t = above / down; /* also the distance ahead */
+    if (!(t >= .25 && t <= 64))
+        return 0;
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 2; k++)
+            at[k] += axis[k][i] * (t * d[i] - origin[i]);
+    int inside = 0;
+    for (int i = 0; i < RING; i++) {
+        const struct cover_point *a = &corner[i], *b = &corner[(i + 1) % RING];
+        double ay = a->y / 512., by = b->y / 512., ax = a->x / 512., bx = b->x / 512.;
+        if ((ay <= at[1]) != (by <= at[1]))
+            inside ^= ax + (bx - ax) * (at[1] - ay) / (by - ay) <= at[0];
+    }
+    return inside;
+}
+
+/* 1 or 0 if all rays within an eighth of a pixel agree, else -1. */
+static int certain(int x, int y)
+{
+    struct cover_point c = cover_centre(x, y, WIDTH, HEIGHT);
+    int sum = 0;
+    for (int dy = -2; dy <= 2; dy += 2)
+        for (int dx = -2; dx <= 2; dx += 2)
+            sum += ray_meets(c.x + dx, c.y + dy);
+    return sum == 0 ? 0 : sum == 9 ? 1 : -1;
+}
+
+/* A fan in a random plane, positions of up to 32 units in steps of 1/1024, facing the eye or not. */
+static int random_floor(void)
+{
+    random_plane();
+    for (int i = 0; i < 3; i++)
+        origin[i] = random_real(-2, 2);
+    corner[RING] = (struct cover_point){0, 0};
+    for (int i = 0; i < RING; i++)
+        corner[i] = (struct cover_point){random_between(-8000, 8000), random_between(-8000, 8000)};
+    qsort(corner, RING, sizeof *corner, by_angle);
+    for (int i = 0; i < RING; i++)
+        if (cover_turn(corner[RING], corner[i], corner[(i + 1) % RING]) <= 0)
+            return 0;
+    for (int i = 0; i <= RING; i++) {
+        for (int k = 0; k < 3; k++)
+            vertex[i].position[k] =
+                (int16_t)lrint((origin[k] + (axis[0][k] * corner[i].x + axis[1][k] * corner[i].y) / 512) * 1024);
+        scene_case_normal(vertex[i].normal, 0, 0, 1);
+    }
+    return 1;
+}
+
+static void edge_shared_across_the_near_plane_is_drawn_once(void **state)
+{
+    (void)state;
+    static uint8_t count[WIDTH * HEIGHT];
+    struct frame_case f;
+    uint32_t clipped = 0;
+    long sure = 0;
+    scene_case_default(&scene, WIDTH, HEIGHT);
+    scene.mesh[0].head.extent = 32 * CASE_UNIT;
+    scene.mesh[0].head.radius = 64 * CASE_UNIT;
+    open_grey(&f, &glint_flat);
+    random_seed(63);
+    for (int fans = 0; fans < 2000;) {
+        if (!random_floor())
+            continue;
+        /* seen from its front; a glancing view makes a quantised plane uneven */
+        double front = 0;
+        for (int i = 0; i < 3; i++)
+            front +=
+                (axis[0][(i + 1) % 3] * axis[1][(i + 2) % 3] - axis[0][(i + 2) % 3] * axis[1][(i + 1) % 3]) * origin[i];
+        if (front > -.2)
+            continue;
+        struct scene_header *blob = fan_blob(RING);
+        clipped += count_pixels(&f, blob, RING, count);
+        for (int p = 0; p < WIDTH * HEIGHT; p++) {
+            int wanted = certain(p % WIDTH, p / WIDTH);
+            sure += wanted > 0;
+            if (count[p] > 1 || (wanted >= 0 && count[p] != wanted))
+                fail_msg("fan %d: pixel (%d, %d) is drawn %d times, not %d", fans, p % WIDTH, p / WIDTH, count[p],
+                         wanted);
+        }
+        free(blob);
+        fans++;
+    }
+    frame_case_close(&f);
+    assert_true(clipped > 4000 && sure > 100000);
+}
+
+static void behind_the_near_plane_nothing_is_drawn(void **state)
+{
+    (void)state;
+    struct frame_case f;
+    scene_case_default(&scene, WIDTH, HEIGHT);
+    scene.mesh[0].head.extent = 32 * CASE_UNIT;
+    scene.mesh[0].head.radius = 64 * CASE_UNIT;
+    open_grey(&f, &glint_flat);
+    random_seed(64);
+    for (int i = 0; i < 5000; i++) {
+        for (int v = 0; v < 4; v++) {
+            for (int k = 0; k < 2; k++)
+                vertex[v].position[k] = (int16_t)random_between(-8000, 8000);
+            /* at the eye, at the plane (which is seen, so a step before it), or behind */
+            static const int16_t special[] = {0, -255, -1, 1};
+            vertex[v].position[2] =
+                random_bits() & 1 ? special[random_bits() % 4] : (int16_t)random_between(-255, 8000);
+            scene_case_normal(vertex[v].normal, 0, 0, 1);
+        }
+        struct scene_header *blob = fan_blob(3);
+        frame_case_draw(&f, blob, 0);
+        const struct glint_stats *s = &f.frame.stats;
+        assert_true(s->triangles == 3 && s->rejected == 3 && s->clipped == 0 && frame_case_drawn(&f) == 0);
+        for (size_t p = 0; p < f.picture_bytes; p++)
+            assert_int_equal(f.picture[p], 0);
+        free(blob);
+    }
+    frame_case_close(&f);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(edge_shared_across_the_guard_band_is_drawn_once),
+        cmocka_unit_test(x_on_pieces_has_the_values_of_the_whole_triangle),
+        cmocka_unit_test(edge_shared_across_the_near_plane_is_drawn_once),
+        cmocka_unit_test(behind_the_near_plane_nothing_is_drawn),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
