@@ -6,7 +6,7 @@
 #include "geometry/project.h"
 #include "raster/raster.h"
 
-static const int16_t *record(const struct glint_frame *f, uint32_t vertex)
+static int16_t *record(const struct glint_frame *f, uint32_t vertex)
 {
     return f->vertices + vertex * f->vertex_stride;
 }
@@ -146,8 +146,8 @@ static void add_object(struct glint_frame *f, const struct view *view, const str
     object->mesh = mesh;
     object->first_vertex = f->vertex_count;
     object_light_setup(object, f->scene, view, &pose, &to_eye, time_ms);
-    int all_placed = object_place_vertices(object, f->scene, transform, f->light_count,
-                                           f->vertices + (uint32_t)f->vertex_count * f->vertex_stride);
+    int all_placed = object_place_vertices(object, f->scene, transform, f->light_count, record(f, f->vertex_count),
+                                           f->vertex_stride);
     list_object(f, transform, f->object_count, all_placed);
     f->vertex_count = (uint16_t)(f->vertex_count + mesh->vertex_count);
     f->object_count++;
@@ -176,7 +176,7 @@ int glint_frame_begin(struct glint_frame *f, const void *scene, uint32_t time_ms
         return GLINT_E_SCENE;
     f->scene = header;
     f->light_count = (uint8_t)header->light_count;
-    f->vertex_stride = (uint16_t)(VERTEX_LIGHTS + 2 * f->light_count);
+    f->vertex_stride = (uint16_t)(VERTEX_LIGHTS + 2 * f->light_count + f->config.method->vertex_words);
     f->vertex_count = f->triangle_count = f->clipped_count = f->object_count = 0;
     f->active = f->queued = f->next_row = 0;
     f->band_index = 0;
@@ -210,13 +210,15 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     in->weight = 0;
     /* Once a triangle and worth unrolling. */
     const uint32_t stride = f->vertex_stride;
-    const int16_t *records = record(f, object->first_vertex);
-    in->place[0] = records + triangle->corner[0] * stride;
-    in->place[1] = records + triangle->corner[2] * stride;
-    in->place[2] = records + triangle->corner[1] * stride;
-    in->lights[0] = in->place[0] + VERTEX_LIGHTS;
-    in->lights[1] = in->place[1] + VERTEX_LIGHTS;
-    in->lights[2] = in->place[2] + VERTEX_LIGHTS;
+    int16_t *records = record(f, object->first_vertex), *corner = records + triangle->corner[0] * stride;
+    in->place[0] = corner;
+    in->lights[0] = corner + VERTEX_LIGHTS;
+    corner = records + triangle->corner[2] * stride;
+    in->place[1] = corner;
+    in->lights[1] = corner + VERTEX_LIGHTS;
+    corner = records + triangle->corner[1] * stride;
+    in->place[2] = corner;
+    in->lights[2] = corner + VERTEX_LIGHTS;
     if (piece) {
         for (int k = 0; k < 3; k++) {
             in->place[k] = piece->place[SHADE_TURN(k)];

@@ -48,7 +48,7 @@ static size_t divide(const struct glint_config *c, struct glint_frame *f)
     TAKE(raster->table, c->tables * sizeof(struct colour_table));
     TAKE(objects, c->max_objects * sizeof(struct object_state));
     TAKE(clipped, c->max_clipped * sizeof(struct clipped_triangle));
-    TAKE(vertices, (size_t)c->max_vertices * (VERTEX_LIGHTS + 2u * c->max_lights) * 2);
+    TAKE(vertices, (size_t)c->max_vertices * (VERTEX_LIGHTS + 2u * c->max_lights + c->method->vertex_words) * 2);
     TAKE(triangles, c->max_triangles * sizeof(struct triangle_ref));
     TAKE(order, c->max_triangles * 2u);
     TAKE(depth, (size_t)c->width * c->band_rows * 2);

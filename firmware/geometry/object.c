@@ -166,9 +166,9 @@ static inline void light_vertex(const struct object_light *light, const struct o
 
 /* Lights all vertices anew where directions differ from place to place. */
 static void light_locally(const struct object_state *object, const struct scene_vertex *vertex, unsigned lights,
-                          int16_t *records)
+                          int16_t *records, unsigned stride)
 {
-    for (uint32_t n = object->mesh->vertex_count; n; n--, vertex++, records += VERTEX_LIGHTS + 2 * lights) {
+    for (uint32_t n = object->mesh->vertex_count; n; n--, vertex++, records += stride) {
         const int32_t place[3] = {vertex->position[0], vertex->position[1], vertex->position[2]};
         int16_t *out = records + VERTEX_LIGHTS;
         for (unsigned i = 0; i < lights; i++, out += 2) {
@@ -181,10 +181,10 @@ static void light_locally(const struct object_state *object, const struct scene_
 }
 
 int object_place_vertices(const struct object_state *object, const struct scene_header *scene,
-                          const struct transform *transform, unsigned lights, int16_t *records)
+                          const struct transform *transform, unsigned lights, int16_t *records, unsigned stride)
 {
     const struct scene_vertex *const vertices = scene_at(scene, object->mesh->vertices), *vertex = vertices;
-    const unsigned stride = VERTEX_LIGHTS + 2 * lights;
+    const int kept = stride > VERTEX_LIGHTS + 2 * lights;
     int16_t *record = records;
     int all = 1;
     for (uint32_t n = object->mesh->vertex_count; n; n--, vertex++, record += stride) {
@@ -195,8 +195,10 @@ int object_place_vertices(const struct object_state *object, const struct scene_
         record[VERTEX_DEPTH] = (int16_t)point.depth;
         all &= placed;
         light_vertex(object->light, object->light + lights, vertex->normal, record + VERTEX_LIGHTS);
+        if (kept)
+            record[stride - 1] = 0;
     }
     if (object->local)
-        light_locally(object, vertices, lights, records);
+        light_locally(object, vertices, lights, records, stride);
     return all;
 }

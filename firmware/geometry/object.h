@@ -6,7 +6,7 @@
 #include "geometry/transform.h"
 
 /*
- * A vertex record is int16_t[VERTEX_LIGHTS + 2 * lights]: x and y (28.4, from the picture's centre), depth (as
+ * A vertex record begins with int16_t[VERTEX_LIGHTS + 2 * lights]: x and y (28.4, from the picture's centre), depth (as
  * uint16_t), then for each light N.L and N.H in Q14 within [-16384, 16383]. A vertex that cannot be projected has
  * VERTEX_UNPLACED for x.
  */
@@ -45,8 +45,9 @@ void object_light_setup(struct object_state *object, const struct scene_header *
 void object_light_at(const struct object_state *object, unsigned light, const int32_t place[3], q14_t towards[3],
                      q14_t half[3]);
 
-/* Fills the records of all of the mesh's vertices: 1 if each could be placed. */
+/* Fills the records of all of the mesh's vertices, `stride` int16_t apart: 1 if each could be placed. What a record has
+ * behind its lights is the shading method's; its last word is made 0. */
 int object_place_vertices(const struct object_state *object, const struct scene_header *scene,
-                          const struct transform *transform, unsigned lights, int16_t *records);
+                          const struct transform *transform, unsigned lights, int16_t *records, unsigned stride);
 
 #endif

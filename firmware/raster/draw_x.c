@@ -164,4 +164,4 @@ static uint32_t draw(struct raster *r, struct edges *e)
     return spans_dark(r, e, colours);
 }
 
-const struct glint_method glint_x = {GLINT_X, shade_x, draw};
+const struct glint_method glint_x = {GLINT_X, 0, shade_x, draw};

@@ -58,7 +58,8 @@ struct triangle_ref;
 
 /* A method: how a triangle is set up, and its pixels. */
 struct glint_method {
-    uint8_t id; /* enum glint_method_id */
+    uint8_t id;           /* enum glint_method_id */
+    uint8_t vertex_words; /* int16_t that it keeps in a vertex record behind the lights; the last is 0 at first */
     void (*setup)(struct shade_setup *setup, const struct shade_input *in);
     /* Draws the set-up triangle over the band; returns the pixels that passed the depth test. */
     uint32_t (*draw)(struct raster *r, struct edges *e);

@@ -17,7 +17,7 @@ struct clipped_triangle {
 /* A triangle to be shaded. Corners stand clockwise on the screen (y down), so that determinants are positive. */
 struct shade_input {
     const int16_t *place[3];               /* x, y, depth of the corners */
-    const int16_t *lights[3];              /* N.L and N.H, Q14, of the source triangle's corners, in the same turn */
+    int16_t *lights[3];                    /* N.L and N.H, Q14, of the source triangle's corners, in the same turn */
     const struct scene_triangle *triangle; /* the source; its edges stand in `bend` as 2, 1, 0 */
     const struct scene_vertex *vertices;   /* of its mesh */
     const uint16_t (*weight)[3];           /* null: the corners are the source's */
@@ -42,6 +42,9 @@ struct shade_setup {
     uint8_t quadratic;       /* x: some channel bends visibly; 0: all are linear */
     uint8_t runs_only;       /* x: a channel that no polynomial holds, or N.H beyond what a table's loop can index */
 };
+
+/* What gouraud keeps behind a vertex record's lights: colours and a material's number. */
+#define SHADE_GOURAUD_WORDS 4
 
 /* Each fills the channels it needs; plane and depth are done. */
 void shade_flat(struct shade_setup *setup, const struct shade_input *in);
