@@ -119,7 +119,7 @@ help: ## List the targets
 $(CORE_OBJ): $(BUILD)/obj/%.o: %.c
 	$(call say,CC,$<)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(CORE_FLAGS) $(OPT) -g $(CFLAGS) -MMD -MP -c $< -o $@
+	$(Q)$(CC) $(CORE_FLAGS) $(OPT) -g $(CFLAGS) $(CORE_CFLAGS) -MMD -MP -c $< -o $@
 
 $(HOST_OBJ): $(BUILD)/obj/%.o: %.c
 	$(call say,CC,$<)

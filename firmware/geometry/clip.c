@@ -37,7 +37,7 @@ static int32_t mix(int32_t a, int32_t b, uint32_t t_q31)
 static void cut(const struct clip_corner *in, int64_t d0, const struct clip_corner *out, int64_t d1,
                 struct clip_corner *result)
 {
-    uint64_t span = (uint64_t)d0 - (uint64_t)d1, part = (uint64_t)d0; /* d0 >= 0 > d1, both below 2^61 in size */
+    uint64_t span = (uint64_t)(d0 - d1), part = (uint64_t)d0; /* d0 >= 0 > d1, both below 2^61 in size */
     while (span >= UINT64_C(1) << 32) {
         span >>= 1;
         part >>= 1;

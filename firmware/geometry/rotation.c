@@ -99,17 +99,16 @@ void vector_normalise(const int32_t v[3], q30_t out[3])
     int32_t w[3] = {v[0], v[1], v[2]};
     uint32_t largest = 0;
     for (int i = 0; i < 3; i++) {
-        uint32_t size = w[i] < 0 ? 0u - (uint32_t)w[i] : (uint32_t)w[i];
-        largest |= size;
+        largest |= (uint32_t)(w[i] < 0 ? -w[i] : w[i]);
     }
     unsigned up = fx_clz(largest);
     up = up > 1 ? up - 1 : 0;
     for (int i = 0; i < 3; i++)
-        w[i] = (int32_t)((uint32_t)w[i] << up);
+        w[i] *= 1 << up;
     normalise(w, 3, out);
 }
 
-struct rotation rotation_spin(const q30_t axis[3], q16_t rate, uint32_t time_ms)
+FX_WRAPS struct rotation rotation_spin(const q30_t axis[3], q16_t rate, uint32_t time_ms)
 {
     /* |rate * time| < 2^24 * 2^32. Thousandths of Q16 turns; half the angle, as a quaternion wants, is a 2^-17 turn. */
     int64_t thousandths = (int64_t)rate * time_ms;

@@ -10,7 +10,7 @@ static void shade_run(struct raster *r, int x, int y, int n)
             r->sum[i][c] = r->setup.flat[c];
 }
 
-static uint32_t spans(struct raster *r, struct edges *e)
+FX_WRAPS static uint32_t spans(struct raster *r, struct edges *e)
 {
     const struct polynomial *pz = &r->setup.depth.p;
     const uint16_t colour = (uint16_t)raster_colour(r, r->setup.flat);

@@ -13,13 +13,13 @@ static void shade_run(struct raster *r, int x, int y, int n)
     }
 }
 
-static inline uint32_t start_value(const struct polynomial *p, uint32_t i, uint32_t j)
+FX_WRAPS static inline uint32_t start_value(const struct polynomial *p, uint32_t i, uint32_t j)
 {
     return p->f + p->e * j + p->d * i;
 }
 
 /* RGB565, as draw_x.c's loops. The fields' half steps are added beforehand, so that taking whole steps rounds. */
-static uint32_t spans(struct raster *r, struct edges *e)
+FX_WRAPS static uint32_t spans(struct raster *r, struct edges *e)
 {
     const struct polynomial pz = r->setup.depth.p, pr = r->setup.channel[0].p, pg = r->setup.channel[1].p,
                             pb = r->setup.channel[2].p;

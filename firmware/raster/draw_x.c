@@ -50,7 +50,8 @@ static void shade_run(struct raster *r, int x, int y, int n)
 
 /* A channel's value and first difference at column i, row j of its origin, for the loops below. Nothing is carried from
  * row to row: half of a dense mesh's rows hold no pixel, and would pay for it. */
-static inline uint32_t start_value(const struct polynomial *p, uint32_t i, uint32_t j, int quadratic, uint32_t *step)
+FX_WRAPS static inline uint32_t start_value(const struct polynomial *p, uint32_t i, uint32_t j, int quadratic,
+                                            uint32_t *step)
 {
     if (!quadratic) {
         *step = p->d;
@@ -73,8 +74,8 @@ static inline int32_t clamped(int32_t x, int32_t top)
  * template: always called with constants. N.L is indexed by its top 6 bits of fraction, N.H from the foot of the
  * power; both clamped, as the table's first and last entries stand for all beyond.
  */
-static inline __attribute__((always_inline)) uint32_t spans(struct raster *r, struct edges *e, const uint16_t *colours,
-                                                            int diffuse, int highlight, int quadratic)
+FX_WRAPS static inline __attribute__((always_inline)) uint32_t
+spans(struct raster *r, struct edges *e, const uint16_t *colours, int diffuse, int highlight, int quadratic)
 {
     const struct shade_setup *setup = &r->setup;
     /* A linear case's few coefficients are copied near the stack pointer, where ARMv6-M reaches them in one load. */
@@ -134,10 +135,11 @@ static inline __attribute__((always_inline)) uint32_t spans(struct raster *r, st
 }
 
 /* One function a case, none inlined into another, so that each has all registers to itself. */
-#define CASE(name, diffuse, highlight, quadratic)                                                              \
-    static __attribute__((noinline)) uint32_t name(struct raster *r, struct edges *e, const uint16_t *colours) \
-    {                                                                                                          \
-        return spans(r, e, colours, diffuse, highlight, quadratic);                                            \
+#define CASE(name, diffuse, highlight, quadratic)                                              \
+    FX_WRAPS static __attribute__((noinline)) uint32_t name(struct raster *r, struct edges *e, \
+                                                            const uint16_t *colours)           \
+    {                                                                                          \
+        return spans(r, e, colours, diffuse, highlight, quadratic);                            \
     }
 CASE(spans_dark, 0, 0, 0)
 CASE(spans_diffuse, 1, 0, 0)
@@ -145,7 +147,7 @@ CASE(spans_diffuse_quadratic, 1, 0, 1)
 CASE(spans_both, 1, 1, 0)
 CASE(spans_both_quadratic, 1, 1, 1)
 
-static uint32_t draw(struct raster *r, struct edges *e)
+FX_WRAPS static uint32_t draw(struct raster *r, struct edges *e)
 {
     struct shade_setup *setup = &r->setup;
     const struct colour_table *table = r->surface_table;

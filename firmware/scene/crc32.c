@@ -12,8 +12,8 @@ uint32_t scene_crc32(uint32_t crc, const void *bytes, size_t size)
 {
     const uint8_t *p = bytes;
     crc = ~crc;
-    while (size--) {
-        crc ^= *p++;
+    for (const uint8_t *end = p + size; p != end; p++) {
+        crc ^= *p;
         crc = crc >> 4 ^ nibble[crc & 15];
         crc = crc >> 4 ^ nibble[crc & 15];
     }

@@ -33,7 +33,7 @@ static bool colour_ok(const uint16_t c[3])
 static bool unit_ok(const q30_t *v, unsigned components)
 {
     int64_t excess = -((int64_t)1 << 60);
-    while (components--) {
+    for (; components; components--) {
         int32_t c = *v++;
         if (!in_range(c, -(1 << 30) - (1 << 10), (1 << 30) + (1 << 10) + 1))
             return false;

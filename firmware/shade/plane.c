@@ -20,10 +20,10 @@ int plane_setup(struct plane *plane, const int16_t *const p[3], unsigned width, 
                        (uint32_t)(y2 < 0 ? -y2 : y2); /* as good as the maximum for counting bits */
     int scale = (int)fx_clz(largest) - 18;
     if (scale >= 0) {
-        x1 = (int32_t)((uint32_t)x1 << scale);
-        y1 = (int32_t)((uint32_t)y1 << scale);
-        x2 = (int32_t)((uint32_t)x2 << scale);
-        y2 = (int32_t)((uint32_t)y2 << scale);
+        x1 *= 1 << scale;
+        y1 *= 1 << scale;
+        x2 *= 1 << scale;
+        y2 *= 1 << scale;
     } else { /* more than 1024 pixels: half a sub-pixel, a quarter where it is 2048, does not show over that length */
         x1 >>= -scale;
         y1 >>= -scale;
@@ -61,7 +61,7 @@ void plane_setup_quadratic(struct plane *plane)
 }
 
 /* x * 2^up modulo 2^32, or rounded to nearest for up < 0. */
-static inline uint32_t shifted(int32_t x, int up)
+FX_WRAPS static inline uint32_t shifted(int32_t x, int up)
 {
     if (up >= 0)
         return (uint32_t)x << up;
@@ -70,7 +70,7 @@ static inline uint32_t shifted(int32_t x, int up)
 
 /* The gradient of corner differences d1, d2, |d| < 2^16: a sixteenth of a pixel's step, times 2^16. Each product is
  * below 2^30, the sums below 2^31. */
-static inline void gradient(const struct plane *p, int32_t d1, int32_t d2, uint32_t *gx, uint32_t *gy)
+FX_WRAPS static inline void gradient(const struct plane *p, int32_t d1, int32_t d2, uint32_t *gx, uint32_t *gy)
 {
     /* n * 2^(16 + scale) / det = n * (r / 2^33) * 2^(scale + up - 14) */
     int32_t x = fx_mulhi_s32(d1 * p->y2 - d2 * p->y1, p->half), y = fx_mulhi_s32(d2 * p->x1 - d1 * p->x2, p->half);
@@ -93,7 +93,7 @@ static void keep_corners(struct channel *channel, const int32_t value[3], const 
     }
 }
 
-void plane_linear(const struct plane *plane, const int32_t value[3], struct channel *channel)
+FX_WRAPS void plane_linear(const struct plane *plane, const int32_t value[3], struct channel *channel)
 {
     channel->exact = plane->sliver;
     if (plane->sliver) {
@@ -109,7 +109,8 @@ void plane_linear(const struct plane *plane, const int32_t value[3], struct chan
     p->a = p->b = p->c = 0;
 }
 
-void plane_quadratic(const struct plane *plane, const int32_t value[3], const int32_t bulge[3], struct channel *channel)
+FX_WRAPS void plane_quadratic(const struct plane *plane, const int32_t value[3], const int32_t bulge[3],
+                              struct channel *channel)
 {
     channel->exact = plane->thin;
     if (plane->thin) {
@@ -152,7 +153,7 @@ void plane_quadratic(const struct plane *plane, const int32_t value[3], const in
 }
 
 /* The barycentric way: u, v, w in Q16 from edge functions, clamped to the triangle. */
-static int32_t exact_value(const struct plane *plane, const struct channel *channel, int32_t px, int32_t py)
+FX_WRAPS static int32_t exact_value(const struct plane *plane, const struct channel *channel, int32_t px, int32_t py)
 {
     /* (px, py): pixel centre from corner 0, scaled like the corners. Inside the triangle both numerators lie in
      * [0, det]; a pixel that the scaling moved outside by a rounding is clamped. */
@@ -184,7 +185,7 @@ static void exact_values(const struct plane *plane, const struct channel *channe
     }
 }
 
-void plane_values(const struct plane *plane, const struct channel *channel, int x, int y, int n, int32_t *out)
+FX_WRAPS void plane_values(const struct plane *plane, const struct channel *channel, int x, int y, int n, int32_t *out)
 {
     if (channel->exact) {
         exact_values(plane, channel, x, y, n, out);

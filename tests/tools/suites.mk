@@ -4,6 +4,8 @@ LEVELS := O0 O2 Os
 MATRIX := $(foreach c,gcc clang,$(foreach l,$(LEVELS),$(c)-$(l)))
 SANITIZE := -fsanitize=address,undefined,implicit-conversion,float-cast-overflow -fno-sanitize-recover=all \
 	-fno-omit-frame-pointer
+# Unsigned wrap too in the renderer, where what is meant modulo 2^32 is marked FX_WRAPS.
+SANITIZE_CORE := -fsanitize=integer -fno-sanitize-recover=all
 BENCH_ELF := $(foreach c,$(CPUS),$(BUILD)/$(c)/bench.elf)
 GOLDEN_LIST := tests/golden/hashes.txt
 SCENE_C := $(SCENES:%=$(SCENE_DIR)/%.c) $(SCENE_DIR)/golden_list.c \
@@ -45,7 +47,7 @@ suite-docs: $(CORE_LIB) $(SCENE_C)
 	@CC="$(CC)" tests/tools/readme_example.sh $(CORE_LIB) $(SCENE_DIR)
 
 suite-sanitize: $(SCENE_C)
-	@$(MAKE) BUILD=$(BUILD)/sanitize CC=clang OPT=-O1 CFLAGS="$(SANITIZE)" suite-sanitized
+	@$(MAKE) BUILD=$(BUILD)/sanitize CC=clang OPT=-O1 CFLAGS="$(SANITIZE)" CORE_CFLAGS="$(SANITIZE_CORE)" suite-sanitized
 
 suite-sanitized: $(BUILD)/golden $(UNIT_BIN) $(GLINT)
 	@status=0; $(MAKE) suite-unit || status=1; $(MAKE) suite-cli || status=1; \
