@@ -14,15 +14,12 @@ static int hashes_add(struct hashes *hashes, uint32_t hash, unsigned line)
 {
     if ((hashes->count & (hashes->count - 1)) == 0) { /* full at each power of two */
         size_t room = hashes->count ? 2 * hashes->count : 1;
-        uint32_t *hash_room = realloc(hashes->hash, room * sizeof *hash_room);
-        hashes->hash = hash_room ? hash_room : hashes->hash;
-        unsigned *line_room = realloc(hashes->line, room * sizeof *line_room);
-        hashes->line = line_room ? line_room : hashes->line;
-        if (!hash_room || !line_room)
+        struct hashes_entry *entry = realloc(hashes->entry, room * sizeof *entry);
+        if (!entry)
             return CLI_IO;
+        hashes->entry = entry;
     }
-    hashes->hash[hashes->count] = hash;
-    hashes->line[hashes->count++] = line;
+    hashes->entry[hashes->count++] = (struct hashes_entry){hash, line};
     return CLI_DONE;
 }
 
@@ -71,10 +68,10 @@ int hashes_read(const char *path, struct hashes *hashes)
 
 int hashes_check(const struct hashes *hashes, uint32_t index, uint32_t hash)
 {
-    if (hashes->hash[index] == hash)
+    if (hashes->entry[index].hash == hash)
         return CLI_DONE;
-    fprintf(stderr, "%s:%u: frame %u is %08x, expected %08x\n", hashes->path, hashes->line[index], (unsigned)index,
-            (unsigned)hash, (unsigned)hashes->hash[index]);
+    fprintf(stderr, "%s:%u: frame %u is %08x, expected %08x\n", hashes->path, hashes->entry[index].line, (unsigned)index,
+            (unsigned)hash, (unsigned)hashes->entry[index].hash);
     return CLI_BAD_DATA;
 }
 
@@ -89,7 +86,6 @@ int hashes_check_count(const struct hashes *hashes, uint32_t frames)
 
 void hashes_free(struct hashes *hashes)
 {
-    free(hashes->hash);
-    free(hashes->line);
+    free(hashes->entry);
     *hashes = (struct hashes){0};
 }

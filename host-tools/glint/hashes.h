@@ -13,10 +13,14 @@
 #include <stddef.h>
 #include <stdint.h>
 
+struct hashes_entry {
+    uint32_t hash;
+    unsigned line; /* of the file, for messages */
+};
+
 struct hashes {
     const char *path;
-    uint32_t *hash;
-    unsigned *line;
+    struct hashes_entry *entry;
     size_t count;
 };
 

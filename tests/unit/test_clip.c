@@ -104,7 +104,7 @@ static int by_angle(const void *left, const void *right)
     const struct cover_point *a = left, *b = right;
     double d =
         atan2(b->y - corner[RING].y, b->x - corner[RING].x) - atan2(a->y - corner[RING].y, a->x - corner[RING].x);
-    return d > 0 ? 1 : d < 0 ? -1 : 0;
+    return d > 0 ? -1 : d < 0;
 }
 
 /* A fan about a point in or near the picture, most of it outside the guard band; clockwise with y down. */
@@ -187,6 +187,18 @@ static double phi(const struct scene_triangle *t, struct cover_point c)
     return sum;
 }
 
+/* The least height of a triangle of the fan, in sub-pixels. */
+static double height_of(const struct scene_triangle *t)
+{
+    struct cover_point p[3];
+    double longest = 0;
+    for (int k = 0; k < 3; k++)
+        p[k] = (struct cover_point){vertex[t->corner[k]].position[0], -vertex[t->corner[k]].position[1]};
+    for (int k = 0; k < 3; k++)
+        longest = fmax(longest, hypot(p[(k + 1) % 3].x - p[k].x, p[(k + 1) % 3].y - p[k].y));
+    return fabs((double)cover_turn(p[0], p[1], p[2])) / longest;
+}
+
 static void x_on_pieces_has_the_values_of_the_whole_triangle(void **state)
 {
     (void)state;
@@ -210,8 +222,8 @@ static void x_on_pieces_has_the_values_of_the_whole_triangle(void **state)
         for (unsigned i = 0; i < RING; i++) {
             keep_one(blob, i);
             frame_case_draw(&f, blob, 0);
-            if (f.frame.stats.clipped == 0)
-                continue;
+            if (f.frame.stats.clipped == 0 || height_of(&triangle[i]) < 80 * 16)
+                continue; /* a cut rounded to a sub-pixel shows where that is much of the height */
             for (int p = 0; p < WIDTH * HEIGHT; p++) {
                 double wanted = 255 * phi(&triangle[i], cover_centre(p % WIDTH, p / WIDTH, WIDTH, HEIGHT));
                 if (f.picture[p] == 0)
@@ -254,30 +266,36 @@ static void random_plane(void)
         axis[1][i] /= sqrt(length);
 }
 
-/* Whether a ray through (sx, sy), sub-pixels from the picture's centre, meets the fan between the planes. */
-static int ray_meets(double sx, double sy)
+static void cross(const double a[3], const double b[3], double out[3])
 {
-    double d[3] = {sx / 16 / WIDTH, -sy / 16 / WIDTH, -1}, n[3], above = 0, down = 0, at[2] = {0, 0};
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        n[i] = axis[0][j] * axis[1][k] - axis[0][k] * axis[1][j];
-        above += n[i] * origin[i];
-        down += n[i] * d[i];
-    }
-    double t = above / down; /* also the distance ahead */
-    if (!(t >= .25 && t <= 64))
-        return 0;
     for (int i = 0; i < 3; i++)
-        for (int k = 0; k < 2; k++)
-            at[k] += axis[k][i] * (t * d[i] - origin[i]);
-    int inside = 0;
-    for (int i = 0; i < RING; i++) {
-        const struct cover_point *a = &corner[i], *b = &corner[(i + 1) % RING];
-        double ay = a->y / 512., by = b->y / 512., ax = a->x / 512., bx = b->x / 512.;
-        if ((ay <= at[1]) != (by <= at[1]))
-            inside ^= ax + (bx - ax) * (at[1] - ay) / (by - ay) <= at[0];
+        out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+}
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* Whether a ray through (sx, sy), sub-pixels from the picture's centre, meets a triangle of the fan between the planes.
+ */
+static int ray_meets(const struct scene_triangle *t, double sx, double sy)
+{
+    double d[3] = {sx / 16 / WIDTH, -sy / 16 / WIDTH, -1}, p[3][3], n[3], weight[3], sum = 0, away = 0;
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < 3; i++)
+            p[k][i] = vertex[t->corner[k]].position[i] / 1024.;
+    for (int k = 0; k < 3; k++) { /* volumes of the ray with each edge: barycentric */
+        cross(p[(k + 1) % 3], p[(k + 2) % 3], n);
+        weight[k] = dot(n, d);
+        sum += weight[k];
     }
-    return inside;
+    for (int k = 0; k < 3; k++) {
+        if (!(weight[k] / sum >= 0))
+            return 0;
+        away -= p[k][2] * weight[k] / sum;
+    }
+    return away >= .25 && away <= 64;
 }
 
 /* 1 or 0 if all rays within an eighth of a pixel agree, else -1. */
@@ -287,7 +305,8 @@ static int certain(int x, int y)
     int sum = 0;
     for (int dy = -2; dy <= 2; dy += 2)
         for (int dx = -2; dx <= 2; dx += 2)
-            sum += ray_meets(c.x + dx, c.y + dy);
+            for (int i = 0, any = 0; i < RING && !any; i++)
+                sum += any = ray_meets(&triangle[i], c.x + dx, c.y + dy);
     return sum == 0 ? 0 : sum == 9 ? 1 : -1;
 }
 
@@ -325,15 +344,13 @@ static void edge_shared_across_the_near_plane_is_drawn_once(void **state)
     scene.mesh[0].head.radius = 64 * CASE_UNIT;
     open_grey(&f, &glint_flat);
     random_seed(63);
-    for (int fans = 0; fans < 2000;) {
+    for (int fans = 0; fans < 200;) {
         if (!random_floor())
             continue;
         /* seen from its front; a glancing view makes a quantised plane uneven */
-        double front = 0;
-        for (int i = 0; i < 3; i++)
-            front +=
-                (axis[0][(i + 1) % 3] * axis[1][(i + 2) % 3] - axis[0][(i + 2) % 3] * axis[1][(i + 1) % 3]) * origin[i];
-        if (front > -.2)
+        double normal[3];
+        cross(axis[0], axis[1], normal);
+        if (dot(normal, origin) > -.2)
             continue;
         struct scene_header *blob = fan_blob(RING);
         clipped += count_pixels(&f, blob, RING, count);
@@ -348,7 +365,7 @@ static void edge_shared_across_the_near_plane_is_drawn_once(void **state)
         fans++;
     }
     frame_case_close(&f);
-    assert_true(clipped > 4000 && sure > 100000);
+    assert_true(clipped > 400 && sure > 100000);
 }
 
 static void behind_the_near_plane_nothing_is_drawn(void **state)

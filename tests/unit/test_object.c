@@ -130,16 +130,18 @@ static int check_records(const struct object_state *object, const struct scene_h
                          const struct scene_vertex *vertex)
 {
     static int16_t record[VERTICES][VERTEX_LIGHTS + 8];
-    int all = object_place_vertices(object, blob, t, 4, record[0]), placed = 0;
+    int all = object_place_vertices(object, blob, t, 4, record[0], VERTEX_LIGHTS + 8), placed = 0;
     for (int v = 0; v < VERTICES; v++) {
         struct screen_point at;
         const int32_t place[3] = {vertex[v].position[0], vertex[v].position[1], vertex[v].position[2]};
-        if (project(t, transform_point(t, vertex[v].position), &at)) {
-            assert_true(record[v][VERTEX_X] == at.x && record[v][VERTEX_Y] == at.y &&
+        int wanted = project(t, transform_point(t, vertex[v].position), &at);
+        if (record[v][VERTEX_X] != VERTEX_UNPLACED) {
+            assert_true(wanted && record[v][VERTEX_X] == at.x && record[v][VERTEX_Y] == at.y &&
                         (uint16_t)record[v][VERTEX_DEPTH] == at.depth);
             placed++;
         } else {
-            assert_int_equal(record[v][VERTEX_X], VERTEX_UNPLACED);
+            int edge = GUARD - 16; /* the last pixel of the guard band may be left to clipping */
+            assert_true(!wanted || at.x > edge || at.y > edge || at.x < -edge || at.y < -edge);
         }
         for (unsigned l = 0; l < 4; l++) {
             q14_t way[2][3];
