@@ -1,129 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* A frame from begin to its last band. */
-#include "frame.h"
+#include "list.h"
 
-#include "geometry/clip.h"
-#include "geometry/project.h"
 #include "raster/raster.h"
-
-static int16_t *record(const struct glint_frame *f, uint32_t vertex)
-{
-    return f->vertices + vertex * f->vertex_stride;
-}
-
-/* Notes a triangle to be drawn if it faces the eye and covers a pixel's row and column of the picture. */
-static inline void list_triangle(struct glint_frame *f, const int16_t *const p[3], unsigned object, unsigned index,
-                                 int clipped)
-{
-    /* Differences of |p| <= GUARD are at most 2^15: products 2^30, the determinant at most 2^30. Front faces are
-     * counter-clockwise with y up, so negative with y down. */
-    int32_t x0 = p[0][VERTEX_X], y0 = p[0][VERTEX_Y];
-    int32_t x1 = p[1][VERTEX_X] - x0, y1 = p[1][VERTEX_Y] - y0, x2 = p[2][VERTEX_X] - x0, y2 = p[2][VERTEX_Y] - y0;
-    if (x1 * y2 - x2 * y1 >= 0) {
-        f->stats.culled++;
-        return;
-    }
-    int32_t top = y1 < y2 ? y1 : y2, bottom = y1 > y2 ? y1 : y2, left = x1 < x2 ? x1 : x2, right = x1 > x2 ? x1 : x2;
-    int32_t down = y0 + 8 * f->config.height, across = x0 + 8 * f->config.width;
-    int32_t first = edges_first(down + (top < 0 ? top : 0)), last = edges_first(down + (bottom > 0 ? bottom : 0));
-    int32_t from = edges_first(across + (left < 0 ? left : 0)), to = edges_first(across + (right > 0 ? right : 0));
-    if (first >= last || from >= to) {
-        f->stats.culled++; /* between pixel centres */
-        return;
-    }
-    first = first < 0 ? 0 : first;
-    last = last > f->config.height ? f->config.height : last;
-    if (first >= last || to <= 0 || from >= f->config.width) {
-        f->stats.rejected++;
-        return;
-    }
-    if (f->triangle_count == f->config.max_triangles) {
-        f->stats.dropped++;
-        return;
-    }
-    struct triangle_ref *ref = &f->triangles[f->triangle_count++];
-    ref->index = (uint16_t)index;
-    ref->object = (uint8_t)object;
-    ref->clipped = (uint8_t)clipped;
-    ref->first = (uint16_t)first;
-    ref->last = (uint16_t)last;
-}
-
-/* Stores one piece of a clipped triangle, or not at all. */
-static void list_piece(struct glint_frame *f, const struct transform *transform,
-                       const struct clip_corner *const corner[3], unsigned object, unsigned source)
-{
-    if (f->clipped_count == f->config.max_clipped) {
-        f->stats.dropped++;
-        return;
-    }
-    struct clipped_triangle *piece = &f->clipped[f->clipped_count];
-    const int16_t *place[3];
-    piece->source = (uint16_t)source;
-    for (int k = 0; k < 3; k++) {
-        struct screen_point point = {0, 0, 0};
-        if (!project(transform, corner[k]->eye, &point)) {
-            f->stats.dropped++; /* the numbers do not reach this far: a plane's cut is kept inside by a sub-pixel */
-            return;
-        }
-        piece->place[k][VERTEX_X] = point.x;
-        piece->place[k][VERTEX_Y] = point.y;
-        piece->place[k][VERTEX_DEPTH] = (int16_t)point.depth;
-        for (int i = 0; i < 3; i++) {
-            q30_t w = corner[k]->weight[i];
-            piece->weight[k][i] = (uint16_t)(w < 0 ? 0 : (w + (1 << 14)) >> 15);
-        }
-        place[k] = piece->place[k];
-    }
-    unsigned before = f->triangle_count;
-    list_triangle(f, place, object, f->clipped_count, 1);
-    f->clipped_count = (uint16_t)(f->clipped_count + (f->triangle_count - before));
-}
-
-static void clip(struct glint_frame *f, const struct transform *transform, const struct scene_vertex *vertices,
-                 const struct scene_triangle *triangle, unsigned object, unsigned source)
-{
-    struct clip_polygon *polygon = &f->raster->begin.polygon[0];
-    polygon->count = 3;
-    for (int k = 0; k < 3; k++) {
-        struct clip_corner *corner = &polygon->corner[k];
-        corner->eye = transform_point(transform, vertices[triangle->corner[k]].position);
-        for (int i = 0; i < 3; i++)
-            corner->weight[i] = i == k ? Q30(1, 1) : 0;
-    }
-    clip_triangle(transform, polygon, &f->raster->begin.polygon[1]);
-    if (polygon->count < 3) {
-        f->stats.rejected++;
-        return;
-    }
-    f->stats.clipped++;
-    for (int k = 2; k < polygon->count; k++) {
-        const struct clip_corner *corner[3] = {&polygon->corner[0], &polygon->corner[k - 1], &polygon->corner[k]};
-        list_piece(f, transform, corner, object, source);
-    }
-}
-
-static int unplaced(const int16_t *const p[3])
-{
-    return p[0][VERTEX_X] == VERTEX_UNPLACED || p[1][VERTEX_X] == VERTEX_UNPLACED || p[2][VERTEX_X] == VERTEX_UNPLACED;
-}
-
-static void list_object(struct glint_frame *f, const struct transform *transform, unsigned index, int all_placed)
-{
-    const struct object_state *object = &f->objects[index];
-    const struct scene_mesh *mesh = object->mesh;
-    const struct scene_triangle *triangle = scene_at(f->scene, mesh->triangles);
-    const int16_t *records = record(f, object->first_vertex);
-    const uint32_t stride = f->vertex_stride, count = mesh->triangle_count;
-    for (uint32_t i = 0; i < count; i++, triangle++) {
-        const int16_t *const p[3] = {records + triangle->corner[0] * stride, records + triangle->corner[1] * stride,
-                                     records + triangle->corner[2] * stride};
-        if (!all_placed && unplaced(p))
-            clip(f, transform, scene_at(f->scene, mesh->vertices), triangle, index, i);
-        else
-            list_triangle(f, p, index, i, 0);
-    }
-}
 
 static void add_object(struct glint_frame *f, const struct view *view, const struct scene_object *source,
                        uint32_t time_ms)
@@ -146,25 +25,11 @@ static void add_object(struct glint_frame *f, const struct view *view, const str
     object->mesh = mesh;
     object->first_vertex = f->vertex_count;
     object_light_setup(object, f->scene, view, &pose, &to_eye, time_ms);
-    int all_placed = object_place_vertices(object, f->scene, transform, f->light_count, record(f, f->vertex_count),
+    int all_placed = object_place_vertices(object, f->scene, transform, f->light_count, list_record(f, f->vertex_count),
                                            f->vertex_stride);
     list_object(f, transform, f->object_count, all_placed);
     f->vertex_count = (uint16_t)(f->vertex_count + mesh->vertex_count);
     f->object_count++;
-}
-
-/* Orders the triangles by first row, equal ones as they came: a counting sort. */
-static void sort_by_first_row(struct glint_frame *f)
-{
-    uint16_t *start = f->rows;
-    for (unsigned row = 0; row <= f->config.height; row++)
-        start[row] = 0;
-    for (unsigned i = 0; i < f->triangle_count; i++)
-        start[f->triangles[i].first + 1]++; /* first < height */
-    for (unsigned row = 0; row < f->config.height; row++)
-        start[row + 1] = (uint16_t)(start[row + 1] + start[row]);
-    for (unsigned i = 0; i < f->triangle_count; i++)
-        f->order[start[f->triangles[i].first]++] = (uint16_t)i;
 }
 
 int glint_frame_begin(struct glint_frame *f, const void *scene, uint32_t time_ms)
@@ -181,7 +46,7 @@ int glint_frame_begin(struct glint_frame *f, const void *scene, uint32_t time_ms
     f->active = f->queued = f->next_row = 0;
     f->band_index = 0;
     f->stats = (struct glint_stats){0};
-    f->raster->surface_material = NO_MATERIAL;
+    f->raster->surface_material = RASTER_NO_MATERIAL;
     f->raster->input.surface = &f->raster->surface;
 
     struct view *view = &f->raster->begin.view;
@@ -191,7 +56,7 @@ int glint_frame_begin(struct glint_frame *f, const void *scene, uint32_t time_ms
     const struct scene_object *object = scene_objects(header);
     for (unsigned i = 0; i < header->object_count; i++)
         add_object(f, view, &object[i], time_ms);
-    sort_by_first_row(f);
+    list_sort(f);
     return 0;
 }
 
@@ -210,7 +75,7 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     in->weight = 0;
     /* Once a triangle and worth unrolling. */
     const uint32_t stride = f->vertex_stride;
-    int16_t *records = record(f, object->first_vertex), *corner = records + triangle->corner[0] * stride;
+    int16_t *records = list_record(f, object->first_vertex), *corner = records + triangle->corner[0] * stride;
     in->place[0] = corner;
     in->lights[0] = corner + VERTEX_LIGHTS;
     corner = records + triangle->corner[2] * stride;

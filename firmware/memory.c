@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* How a configuration divides the caller's memory. */
-#include "frame.h"
+#include "list.h"
 #include "raster/raster.h"
 
 static size_t words(size_t bytes)

@@ -14,12 +14,12 @@ static int64_t inside(const struct transform *t, const struct eye_point *e, int 
         return (int64_t)t->far_z - e->z;
     int32_t side = plane < BOTTOM ? e->x : e->y;
     int64_t reach;
-    /* |z|, |x| < 2^29, GUARD = 2^14. One sub-pixel is kept back for rounding. */
+    /* |z|, |x| < 2^29, GUARD < 2^14 */
     int down = t->divide ? t->shift - 30 : t->shift;
     if (t->divide)
-        reach = (int64_t)e->z * (GUARD - 1);
+        reach = (int64_t)e->z * GUARD;
     else
-        reach = GUARD - 1;
+        reach = GUARD;
     int64_t value = side;
     if (down >= 0)
         reach = down > 18 ? INT64_MAX / 4 : reach * (INT64_C(1) << down);

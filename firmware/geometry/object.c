@@ -184,7 +184,6 @@ int object_place_vertices(const struct object_state *object, const struct scene_
                           const struct transform *transform, unsigned lights, int16_t *records, unsigned stride)
 {
     const struct scene_vertex *const vertices = scene_at(scene, object->mesh->vertices), *vertex = vertices;
-    const int kept = stride > VERTEX_LIGHTS + 2 * lights;
     int16_t *record = records;
     int all = 1;
     for (uint32_t n = object->mesh->vertex_count; n; n--, vertex++, record += stride) {
@@ -195,9 +194,10 @@ int object_place_vertices(const struct object_state *object, const struct scene_
         record[VERTEX_DEPTH] = (int16_t)point.depth;
         all &= placed;
         light_vertex(object->light, object->light + lights, vertex->normal, record + VERTEX_LIGHTS);
-        if (kept)
-            record[stride - 1] = 0;
     }
+    if (stride > VERTEX_LIGHTS + 2 * lights)
+        for (; record != records; record -= stride)
+            record[-1] = 0;
     if (object->local)
         light_locally(object, vertices, lights, records, stride);
     return all;

@@ -5,12 +5,12 @@
 
 #include "geometry/transform.h"
 
-/* v * 2^-down rounded to nearest, ties up; 0 if the result leaves the guard band. |v| < 2^29. */
-static inline int project_round(int32_t v, int down, int16_t *out)
+/* v * 2^-down rounded to nearest, ties up; 0 if the result is beyond `reach`. |v| < 2^29, reach <= 2^14. */
+static inline int project_round(int32_t v, int down, int32_t reach, int16_t *out)
 {
     if (down <= 0) { /* numbers of a vertex far nearer than its object's size */
         *out = 0;
-        if (down < -14 || v > (GUARD >> -down) || v < -(GUARD >> -down))
+        if (down < -14 || v > (reach >> -down) || v < -(reach >> -down))
             return 0;
         *out = (int16_t)(v * (1 << -down));
         return 1;
@@ -21,10 +21,11 @@ static inline int project_round(int32_t v, int down, int16_t *out)
     }
     v = (v + (1 << (down - 1))) >> down; /* the half below 2^30 */
     *out = (int16_t)v;
-    return (uint32_t)(v + GUARD) <= 2 * GUARD;
+    return (uint32_t)(v + reach) <= 2u * (uint32_t)reach;
 }
 
-static inline int project_orthographic(const struct transform *t, struct eye_point e, struct screen_point *out)
+static inline int project_orthographic(const struct transform *t, struct eye_point e, int32_t reach,
+                                       struct screen_point *out)
 {
     uint32_t to_far = (uint32_t)(t->far_z - e.z);
     /* to_far is below 2^(32 - up) where depth_shift = 47 - up: moved up to 32 bits it is below 2^32, and the product is
@@ -34,10 +35,11 @@ static inline int project_orthographic(const struct transform *t, struct eye_poi
     uint32_t depth = fx_mulhi_u32(to_far << up, t->depth_scale) >> down;
     depth = depth > DEPTH_NEAR - DEPTH_FAR ? DEPTH_NEAR - DEPTH_FAR : depth;
     out->depth = (uint16_t)(DEPTH_FAR + depth);
-    return project_round(e.x, t->shift, &out->x) & project_round(e.y, t->shift, &out->y);
+    return project_round(e.x, t->shift, reach, &out->x) & project_round(e.y, t->shift, reach, &out->y);
 }
 
-static inline int project_perspective(const struct transform *t, struct eye_point e, struct screen_point *out)
+static inline int project_perspective(const struct transform *t, struct eye_point e, int32_t reach,
+                                      struct screen_point *out)
 {
     /* 1 <= z < 2^29: up in 3..31. r = 2^63 / (z 2^up). */
     unsigned up = fx_clz((uint32_t)e.z);
@@ -50,19 +52,31 @@ static inline int project_perspective(const struct transform *t, struct eye_poin
     /* x / z in units of 2^-(30 - up), |.| < |x| / 2. */
     int32_t half = (int32_t)(r >> 1);
     int shift = t->shift - (int)up;
-    return project_round(fx_mulhi_s32(e.x, half), shift, &out->x) &
-           project_round(fx_mulhi_s32(e.y, half), shift, &out->y);
+    return project_round(fx_mulhi_s32(e.x, half), shift, reach, &out->x) &
+           project_round(fx_mulhi_s32(e.y, half), shift, reach, &out->y);
 }
 
-/* Projects a point: 1, or 0 where it lies before the near plane, beyond the far one or outside the guard band.
- * Positions are rounded to nearest sub-pixel, ties up; the value before rounding errs by less than 2^-8 sub-pixel
- * inside a 1024-pixel picture.
- */
+/* Projects a point: 1, or 0 where it lies before the near plane, beyond the far one or farther from the centre than
+ * `reach`. Positions are rounded to nearest sub-pixel, ties up; the value before rounding errs by less than 2^-8
+ * sub-pixel inside a 1024-pixel picture. */
+static inline int project_within(const struct transform *t, struct eye_point e, int32_t reach, struct screen_point *out)
+{
+    if ((uint32_t)(e.z - t->near_z) > t->range) /* near_z >= 1, |z| < 2^29 */
+        return 0;
+    return t->divide ? project_perspective(t, e, reach, out) : project_orthographic(t, e, reach, out);
+}
+
+/* A vertex: 1 if the clipper would surely leave it alone, so that a triangle needs it only if one of these is 0, and
+ * edges of clipped and unclipped triangles agree. */
 static inline int project(const struct transform *t, struct eye_point e, struct screen_point *out)
 {
-    if (e.z < t->near_z || e.z > t->far_z)
-        return 0;
-    return t->divide ? project_perspective(t, e, out) : project_orthographic(t, e, out);
+    return project_within(t, e, GUARD - 1, out);
+}
+
+/* A corner that the clipper left or made: as far as the guard band and a rounding. */
+static inline int project_clipped(const struct transform *t, struct eye_point e, struct screen_point *out)
+{
+    return project_within(t, e, GUARD + 1, out);
 }
 
 #endif

@@ -70,8 +70,7 @@ static void depth_setup(struct transform *t)
     }
     /* (far - z) * scale >> 32 with scale = span * 2^(32 - up) / range; range is first shifted so that the scale fits.
      */
-    uint32_t range = (uint32_t)(t->far_z - t->near_z);
-    range = range ? range : 1;
+    uint32_t range = t->range ? t->range : 1;
     unsigned up = fx_clz(range);
     t->depth_scale = (uint32_t)(((uint64_t)(DEPTH_NEAR - DEPTH_FAR) << 47) / ((uint64_t)range << up));
     t->depth_shift = (int)(47 - up); /* depth = (far - z) * depth_scale >> depth_shift */
@@ -117,6 +116,10 @@ int transform_setup(struct transform *out, const struct view *view, const struct
     /* z: |value| < 2^29 over the whole sphere. */
     int64_t largest_z = magnitude(ahead) + radius;
     int z_exponent = 29 - (bits((uint64_t)largest_z) - 24);
+    /* An orthographic depth is measured from the far plane, which must be in range as well. */
+    int far_exponent = 30 - (bits((uint64_t)view->far_plane) - 16);
+    if (view->kind == CAMERA_ORTHOGRAPHIC && z_exponent > far_exponent)
+        z_exponent = far_exponent;
     int64_t coefficient[3];
     for (int j = 0; j < 3; j++) /* Q30 * 31 bits: 2^61 */
         coefficient[j] = -scaled((int64_t)to_eye->m[2][j] * extent, 30);
@@ -129,6 +132,7 @@ int transform_setup(struct transform *out, const struct view *view, const struct
                         : scaled((int64_t)view->far_plane, 16 - z_exponent);
     out->near_z = (int32_t)(near_z < 1 ? 1 : near_z > limit ? limit : near_z);
     out->far_z = (int32_t)far_z;
+    out->range = (uint32_t)(out->far_z - out->near_z);
 
     /* x and y: times 16 f, which has 31 bits and its exponent. */
     int64_t side = magnitude(eye[0]) > magnitude(eye[1]) ? magnitude(eye[0]) : magnitude(eye[1]);

@@ -11,8 +11,9 @@
 
 #include "geometry/rotation.h"
 
-/* Screen coordinates are 28.4, relative to the picture's centre, x right, y down; the guard band reaches this far. */
-#define GUARD (1024 * 16)
+/* Screen coordinates are 28.4, relative to the picture's centre, x right, y down; the guard band reaches this far. What
+ * is cut there may be rounded out by a sub-pixel: differences stay within 2^15. */
+#define GUARD (1024 * 16 - 1)
 
 /* Depth 0 is what the buffer is cleared to; larger is nearer: near/z in perspective, (far - z) / (far - near) in
  * orthographic views, on DEPTH_FAR to DEPTH_NEAR. The margins keep an interpolated depth, rounding included, inside 16
@@ -39,7 +40,8 @@ struct axis {
 
 struct transform {
     struct axis x, y, z;
-    int32_t near_z, far_z; /* in the units of the z row */
+    int32_t near_z, far_z; /* in the units of the z row, at most 2^30 - 1 */
+    uint32_t range;        /* far_z - near_z */
     int divide;            /* perspective: screen = (x / z) >> (shift - normalisation of z) */
     int shift;             /* orthographic: screen = x >> shift */
     uint32_t depth_scale;  /* perspective: near_z normalised; orthographic: (DEPTH_NEAR - DEPTH_FAR) / (far - near) */

@@ -12,7 +12,9 @@
 #include "raster/edges.h"
 #include "shade/shade.h"
 
-#define RUN   16 /* pixels; a mask bit each */
+#define RUN                16 /* pixels; a mask bit each */
+#define RASTER_NO_MATERIAL 0xffffu
+
 #define SPANS 32 /* rows scan-converted at a time */
 
 /* Colours of one material under one light, RGB565: [highlight step][diffuse step]. Row 0 has no highlight. */
@@ -45,6 +47,7 @@ struct raster {
             struct view view;
             struct transform transform;
             struct clip_polygon polygon[2];
+            int16_t place[CLIP_MAX_CORNERS][3];
         } begin;
     };
     uint16_t weight[3][3];

@@ -1,24 +1,49 @@
 /* SPDX-License-Identifier: MIT */
 #include "shade/plane.h"
 
-/* Corner differences are scaled to 14 bits, so a determinant far below 2^28 is a sliver. A linear channel errs by about
- * 2^up in Q30 at the far end (one unit of the high product, times 2^(scale + up - 14), over 2^(14 - scale) sub-pixels),
- * a quadratic one by 3 * 2^(2 up - 2): these keep both below 1/64 and 1/5 of a display unit. */
-#define MIN_DET_LINEAR    (1u << 16)
-#define MIN_DET_QUADRATIC (1u << 22)
+/*
+ * Corner differences are scaled to 14 bits, so a determinant far below 2^28 of those is a sliver. With `up` its leading
+ * zero bits, a linear channel errs by about 2^up in Q30 at the far end (one unit of the high product, times
+ * 2^(scale + up - 14), over 2^(14 - scale) sub-pixels), a quadratic one by 3 * 2^(2 up - 2): these limits keep both
+ * below 1/64 and 1/5 of a display unit.
+ */
+#define MOST_UP_LINEAR    15
+#define MOST_UP_QUADRATIC 9
+
+/* up of the scaled determinant, det * 2^(2 scale) */
+static inline int scaled_up(const struct plane *plane)
+{
+    return plane->up - 2 * plane->scale;
+}
+
+/* i, or the nearest of [0, size). */
+static inline int32_t inside(int32_t i, unsigned size)
+{
+    if ((uint32_t)i < size)
+        return i;
+    return i < 0 ? 0 : (int32_t)size - 1;
+}
 
 int plane_setup(struct plane *plane, const int16_t *const p[3], unsigned width, unsigned height)
 {
     int32_t x0 = p[0][0], y0 = p[0][1];
     int32_t x1 = p[1][0] - x0, y1 = p[1][1] - y0, x2 = p[2][0] - x0, y2 = p[2][1] - y0;
-    /* |differences| <= 2^15: each product at most 2^30, the determinant twice the area of a box of 2^15: at most 2^30.
-     */
-    if (x1 * y2 - x2 * y1 <= 0)
+    /* |differences| <= 2^15: each product at most 2^30, the determinant is that of a triangle in a box of 2^15. */
+    const int32_t det = x1 * y2 - x2 * y1;
+    if (det <= 0)
         return 0;
+    plane->whole_x1 = x1;
+    plane->whole_y1 = y1;
+    plane->whole_x2 = x2;
+    plane->whole_y2 = y2;
+    plane->det = (uint32_t)det;
+    plane->up = (int32_t)fx_clz((uint32_t)det);
+    plane->r = fx_recip_norm((uint32_t)det << plane->up);
+    plane->half = (int32_t)(plane->r >> 1);
 
     uint32_t largest = (uint32_t)(x1 < 0 ? -x1 : x1) | (uint32_t)(y1 < 0 ? -y1 : y1) | (uint32_t)(x2 < 0 ? -x2 : x2) |
                        (uint32_t)(y2 < 0 ? -y2 : y2); /* as good as the maximum for counting bits */
-    int scale = (int)fx_clz(largest) - 18;
+    const int scale = (int)fx_clz(largest) - 18;
     if (scale >= 0) {
         x1 *= 1 << scale;
         y1 *= 1 << scale;
@@ -30,33 +55,29 @@ int plane_setup(struct plane *plane, const int16_t *const p[3], unsigned width, 
         x2 >>= -scale;
         y2 >>= -scale;
     }
-    int32_t det = x1 * y2 - x2 * y1;
     plane->x1 = x1;
     plane->y1 = y1;
     plane->x2 = x2;
     plane->y2 = y2;
-    plane->det = det > 0 ? (uint32_t)det : 1;
     plane->scale = scale;
-    plane->up = (int)fx_clz(plane->det);
-    plane->r = fx_recip_norm(plane->det << plane->up);
-    plane->half = (int32_t)(plane->r >> 1);
-    plane->shift = plane->scale + plane->up - 14;
-    plane->sliver = plane->det < MIN_DET_LINEAR;
+    plane->shift = plane->up - scale - 14;
+    plane->sliver = scaled_up(plane) > MOST_UP_LINEAR;
 
-    int32_t left = x0 + 8 * (int32_t)width, top = y0 + 8 * (int32_t)height;
-    plane->ox = left >> 4;
-    plane->oy = top >> 4;
-    plane->fx = 8 - (left & 15);
-    plane->fy = 8 - (top & 15);
+    /* The origin stays in the picture: a rounded second difference errs with the square of the distance from it. */
+    const int32_t left = x0 + 8 * (int32_t)width, top = y0 + 8 * (int32_t)height;
+    plane->ox = inside(left >> 4, width);
+    plane->oy = inside(top >> 4, height);
+    plane->fx = plane->ox * 16 + 8 - left;
+    plane->fy = plane->oy * 16 + 8 - top;
     return 1;
 }
 
 void plane_setup_quadratic(struct plane *plane)
 {
-    /* Heights of 2 pixels at least bound the second differences: det / (longest side) >= 32 sub-pixels. */
-    uint32_t longest = 1u << 14;
-    uint32_t height = plane->scale > 0 ? plane->det >> plane->scale : plane->det;
-    plane->thin = plane->det < MIN_DET_QUADRATIC || height < longest << 5;
+    /* Heights of 2 pixels at least bound the second differences: det / longest side >= 32 sub-pixels, the longest taken
+     * as 2^(14 - scale). det << scale stays below 2^29. */
+    uint32_t height = plane->scale > 0 ? plane->det << plane->scale : plane->det >> -plane->scale;
+    plane->thin = scaled_up(plane) > MOST_UP_QUADRATIC || height < 32u << 14;
     plane->r2 = (int32_t)(fx_mulhi_u32(plane->r, plane->r) >> 1);
 }
 
@@ -68,21 +89,40 @@ FX_WRAPS static inline uint32_t shifted(int32_t x, int up)
     return up < -31 ? 0 : (uint32_t)((x + (int32_t)(1u << (-up - 1))) >> -up);
 }
 
-/* The gradient of corner differences d1, d2, |d| < 2^16: a sixteenth of a pixel's step, times 2^16. Each product is
- * below 2^30, the sums below 2^31. */
-FX_WRAPS static inline void gradient(const struct plane *p, int32_t d1, int32_t d2, uint32_t *gx, uint32_t *gy)
+/* A gradient's product to its place. */
+FX_WRAPS static inline void place_gradient(const struct plane *p, int32_t nx, int32_t ny, uint32_t *gx, uint32_t *gy)
 {
-    /* n * 2^(16 + scale) / det = n * (r / 2^33) * 2^(scale + up - 14) */
-    int32_t x = fx_mulhi_s32(d1 * p->y2 - d2 * p->y1, p->half), y = fx_mulhi_s32(d2 * p->x1 - d1 * p->x2, p->half);
-    int up = p->shift; /* -11..15 */
+    /* n / (det 2^(2 scale)) * 2^(16 + scale) = n * (r / 2^33) * 2^(up - scale - 14) */
+    const int32_t x = fx_mulhi_s32(nx, p->half), y = fx_mulhi_s32(ny, p->half);
+    const int up = p->shift; /* -13..17 */
     if (up >= 0) {
         *gx = (uint32_t)x << up;
         *gy = (uint32_t)y << up;
     } else {
-        int32_t round = 1 << (-up - 1);
+        const int32_t round = 1 << (-up - 1);
         *gx = (uint32_t)((x + round) >> -up);
         *gy = (uint32_t)((y + round) >> -up);
     }
+}
+
+/* Beyond 1024 pixels: better to lose the low bits of the differences than those of the coordinates. */
+static __attribute__((noinline)) void gradient_wide(const struct plane *p, int32_t d1, int32_t d2, uint32_t *gx,
+                                                    uint32_t *gy)
+{
+    const int down = -p->scale, half = 1 << (down - 1);
+    d1 = (d1 + half) >> down;
+    d2 = (d2 + half) >> down;
+    place_gradient(p, d1 * p->whole_y2 - d2 * p->whole_y1, d2 * p->whole_x1 - d1 * p->whole_x2, gx, gy);
+}
+
+/* The gradient of corner differences d1, d2, |d| < 2^16: a sixteenth of a pixel's step, times 2^16. Products are at
+ * most 2^30, here and above; the sums at most 2^31, and less where both have one sign. */
+static inline void gradient(const struct plane *p, int32_t d1, int32_t d2, uint32_t *gx, uint32_t *gy)
+{
+    if (p->scale < 0)
+        gradient_wide(p, d1, d2, gx, gy);
+    else
+        place_gradient(p, d1 * p->y2 - d2 * p->y1, d2 * p->x1 - d1 * p->x2, gx, gy);
 }
 
 static void keep_corners(struct channel *channel, const int32_t value[3], const int32_t bulge[3])
@@ -109,6 +149,40 @@ FX_WRAPS void plane_linear(const struct plane *plane, const int32_t value[3], st
     p->a = p->b = p->c = 0;
 }
 
+/* Second differences times det^2, halved. */
+struct numerators {
+    int32_t a, b, c;
+};
+
+/* x * 2^-down as Q46, modulo 2^64; the products below are 62 bits at most. */
+FX_WRAPS static uint64_t q46(int64_t x, int down)
+{
+    if (down <= 0)
+        return (uint64_t)x << (down < -63 ? 63 : -down);
+    return down > 62 ? 0 : (uint64_t)((x + (INT64_C(1) << (down - 1))) >> down);
+}
+
+/* The polynomial where the origin is far from corner 0, which is outside the picture: moved in Q46 and sub-pixels, and
+ * only then rounded. Offsets are up to 2^15: a unit of the last place becomes 2^-16 of a display unit's 2^22. */
+FX_WRAPS static void far_quadratic(const struct plane *plane, int32_t value, int32_t d1, int32_t d2,
+                                   const struct numerators *n, struct polynomial *p)
+{
+    /* gradient() and the second differences below, with 16 more bits and 1/256 of a square pixel. */
+    const int linear = -(plane->shift + 16 - 32), square = -(2 * (plane->up - plane->scale) - 22 + 8 - 32);
+    const uint64_t gx = q46((int64_t)(d1 * plane->y2 - d2 * plane->y1) * plane->half, linear);
+    const uint64_t gy = q46((int64_t)(d2 * plane->x1 - d1 * plane->x2) * plane->half, linear);
+    const uint64_t a = q46((int64_t)n->a * plane->r2, square), b = q46((int64_t)n->b * plane->r2, square);
+    const uint64_t c = q46((int64_t)n->c * plane->r2, square - 1);
+    const uint64_t x = (uint64_t)(int64_t)plane->fx, y = (uint64_t)(int64_t)plane->fy, half = 1u << 15;
+    p->f = (uint32_t)((((uint64_t)(int64_t)value << 32) + gx * x + gy * y + a * x * x + b * y * y + c * x * y + half) >>
+                      16);
+    p->d = (uint32_t)(((gx + 2 * a * x + c * y) * 16 + half) >> 16);
+    p->e = (uint32_t)(((gy + 2 * b * y + c * x) * 16 + half) >> 16);
+    p->a = (uint32_t)((a * 256 + half) >> 16);
+    p->b = (uint32_t)((b * 256 + half) >> 16);
+    p->c = (uint32_t)((c * 256 + half) >> 16);
+}
+
 FX_WRAPS void plane_quadratic(const struct plane *plane, const int32_t value[3], const int32_t bulge[3],
                               struct channel *channel)
 {
@@ -121,9 +195,9 @@ FX_WRAPS void plane_quadratic(const struct plane *plane, const int32_t value[3],
      * |c| <= 3 * 2^28. */
     int32_t a = bulge[0], b = bulge[2], c = a + b - bulge[1];
     int32_t x1 = plane->x1, y1 = plane->y1, x2 = plane->x2, y2 = plane->y2;
+    int32_t d1 = value[1] - value[0] - ((a + (1 << 13)) >> 14), d2 = value[2] - value[0] - ((b + (1 << 13)) >> 14);
     uint32_t gx, gy;
-    gradient(plane, value[1] - value[0] - ((a + (1 << 13)) >> 14), value[2] - value[0] - ((b + (1 << 13)) >> 14), &gx,
-             &gy);
+    gradient(plane, d1, d2, &gx, &gy);
 
     /* eq. 22 times det^2, halved: coordinates are below 2^14, their products below 2^28 and times 8 below 2^31. Each
      * high product is half of coefficient * product: below 2^27, for c 3 * 2^27; the sums stay below 2^30. */
@@ -131,15 +205,21 @@ FX_WRAPS void plane_quadratic(const struct plane *plane, const int32_t value[3],
     int32_t nb = fx_mulhi_s32(a, (x2 * x2) << 3) + fx_mulhi_s32(b, (x1 * x1) << 3) - fx_mulhi_s32(c, (x1 * x2) * 8);
     int32_t nc =
         fx_mulhi_s32(c, (x1 * y2 + x2 * y1) * 4) - fx_mulhi_s32(a, (x2 * y2) * 8) - fx_mulhi_s32(b, (x1 * y1) * 8);
-    /* n * 2^(31 + 8 + 2 scale) / det^2 = n * (r2 / 2^32) * 2^(2 (scale + up) - 22); a pixel is 16 sub-pixels. */
-    int up = 2 * (plane->scale + plane->up) - 22;
+    const struct numerators n = {na, nb, nc};
+    int32_t fx = plane->fx, fy = plane->fy;
+    if (fx < -8 || fx > 8 || fy < -8 || fy > 8) {
+        far_quadratic(plane, value[0], d1, d2, &n, &channel->p);
+        return;
+    }
+    /* n / (det 2^(2 scale))^2 * 2^(31 + 8 + 2 scale) = n * (r2 / 2^32) * 2^(2 (up - scale) - 22); a pixel is 16
+     * sub-pixels. */
+    int up = 2 * (plane->up - plane->scale) - 22;
     int32_t qa = (int32_t)shifted(fx_mulhi_s32(na, plane->r2), up);
     int32_t qb = (int32_t)shifted(fx_mulhi_s32(nb, plane->r2), up);
     int32_t qc = (int32_t)shifted(fx_mulhi_s32(nc, plane->r2), up + 1);
 
     /* Move the origin from corner 0 to its pixel's centre. Heights are at least 2 pixels, so |qa|, |qb| <= 5/4 2^30 and
      * |qc| <= 5/2 2^30 at the very worst bend; products are taken modulo 2^32, the results fit. */
-    int32_t fx = plane->fx, fy = plane->fy;
     struct polynomial *p = &channel->p;
     uint32_t ax = (uint32_t)(qa >> 3) * (uint32_t)fx, by = (uint32_t)(qb >> 3) * (uint32_t)fy;
     uint32_t cx = (uint32_t)(qc >> 4) * (uint32_t)fx, cy = (uint32_t)(qc >> 4) * (uint32_t)fy;
@@ -152,13 +232,15 @@ FX_WRAPS void plane_quadratic(const struct plane *plane, const int32_t value[3],
     p->c = (uint32_t)qc;
 }
 
-/* The barycentric way: u, v, w in Q16 from edge functions, clamped to the triangle. */
+/* The barycentric way: u, v, w in Q16 from edge functions, clamped to the triangle. (px, py) is the pixel's centre from
+ * corner 0 in sub-pixels. */
 FX_WRAPS static int32_t exact_value(const struct plane *plane, const struct channel *channel, int32_t px, int32_t py)
 {
-    /* (px, py): pixel centre from corner 0, scaled like the corners. Inside the triangle both numerators lie in
-     * [0, det]; a pixel that the scaling moved outside by a rounding is clamped. */
     const int32_t *value = channel->corner.value, *bulge = channel->corner.bulge;
-    int32_t nu = px * plane->y2 - py * plane->x2, nv = py * plane->x1 - px * plane->y1;
+    /* |px|, |py| <= 2^15. Inside the triangle both numerators lie in [0, det]: they fit though a product's difference
+     * may not on the way. */
+    int32_t nu = (int32_t)((uint32_t)(px * plane->whole_y2) - (uint32_t)(py * plane->whole_x2));
+    int32_t nv = (int32_t)((uint32_t)(py * plane->whole_x1) - (uint32_t)(px * plane->whole_y1));
     int32_t det = (int32_t)plane->det;
     nu = nu < 0 ? 0 : nu > det ? det : nu;
     nv = nv < 0 ? 0 : nv > det - nu ? det - nu : nv;
@@ -178,11 +260,8 @@ FX_WRAPS static int32_t exact_value(const struct plane *plane, const struct chan
 static void exact_values(const struct plane *plane, const struct channel *channel, int x, int y, int n, int32_t *out)
 {
     int32_t px = (x - plane->ox) * 16 + plane->fx, py = (y - plane->oy) * 16 + plane->fy;
-    for (int i = 0; i < n; i++, px += 16) {
-        int scale = plane->scale;
-        out[i] = scale >= 0 ? exact_value(plane, channel, px * (1 << scale), py * (1 << scale))
-                            : exact_value(plane, channel, px >> -scale, py >> -scale);
-    }
+    for (int i = 0; i < n; i++, px += 16)
+        out[i] = exact_value(plane, channel, px, py);
 }
 
 FX_WRAPS void plane_values(const struct plane *plane, const struct channel *channel, int x, int y, int n, int32_t *out)

@@ -2,9 +2,9 @@
 /*
  * Polynomials over a triangle on the screen, in integers.
  *
- * A polynomial is taken at pixel centres, relative to the pixel that holds corner 0 (the origin): at column i and row j
- * from there it is f + d i + e j + a i^2 + b j^2 + c i j, exactly, modulo 2^32. As the true value fits 32 bits, every
- * way of stepping gives the same bits.
+ * A polynomial is taken at pixel centres, relative to the pixel of the picture nearest to corner 0 (the origin): at
+ * column i and row j from there it is f + d i + e j + a i^2 + b j^2 + c i j, exactly, modulo 2^32. As the true value
+ * fits 32 bits, every way of stepping gives the same bits.
  *
  * Set-up costs one reciprocal a triangle; a channel costs 2 (linear) or 14 (quadratic) high products and no division.
  * Formulas: X-shading eq. 18-22, here in whole numbers with the corner differences first scaled to 14 bits.
@@ -20,17 +20,19 @@ struct polynomial {
 
 /* The triangle's place on the screen, common to its channels. */
 struct plane {
-    int32_t x1, y1, x2, y2; /* corners 1 and 2 from corner 0, times 2^scale: the largest in [2^13, 2^14) */
-    uint32_t det;           /* x1 y2 - x2 y1 of those, in (0, 2^29) */
-    uint32_t r;             /* 2^63 / (det << up) */
-    int scale, up;
-    int32_t half; /* r / 2 */
-    int shift;    /* scale + up - 14 */
-    int ox, oy;   /* the origin pixel */
-    int fx, fy;   /* its centre from corner 0, 1/16 pixel, -7..8 */
-    int sliver;   /* no polynomial is accurate enough over it */
-    int thin;     /* no quadratic is: set by plane_setup_quadratic(), as is r2 */
-    int32_t r2;   /* r^2 / 2^33 */
+    int32_t whole_x1, whole_y1, whole_x2, whole_y2; /* corners 1 and 2 from corner 0, sub-pixels, at most 2^15 */
+    int32_t x1, y1, x2, y2;                         /* the same times 2^scale: the largest in [2^13, 2^14) */
+    int32_t scale;                                  /* -2..13; where negative, low bits are lost */
+    uint32_t det;                                   /* whole_x1 whole_y2 - whole_x2 whole_y1, in (0, 2^30] */
+    int32_t up;                                     /* its leading zero bits */
+    uint32_t r;                                     /* 2^63 / (det << up) */
+    int32_t half;                                   /* r / 2 */
+    int32_t shift;                                  /* of a gradient's product: up - scale - 14 */
+    int32_t r2;                                     /* r^2 / 2^33: set by plane_setup_quadratic() */
+    int32_t ox, oy;                                 /* the origin pixel */
+    int32_t fx, fy; /* its centre from corner 0, 1/16 pixel: -7..8 with corner 0 in the picture, else up to 2^15 */
+    uint8_t sliver; /* no polynomial is accurate enough over it */
+    uint8_t thin;   /* no quadratic is: set by plane_setup_quadratic() */
 };
 
 /* One quantity over a triangle: a polynomial, or where that would not do, its corner values, from which it is

@@ -88,12 +88,41 @@ static inline uint32_t frame_case_drawn(const struct frame_case *f)
     return drawn[GLINT_FLAT] + drawn[GLINT_GOURAUD] + drawn[GLINT_X] + drawn[GLINT_PHONG];
 }
 
+/* Every triangle of a scene that needs no clipping is counted once. */
+static inline void frame_case_sums(const struct frame_case *f)
+{
+    const struct glint_stats *s = &f->frame.stats;
+    assert_int_equal(s->triangles, s->culled + s->rejected + s->dropped + frame_case_drawn(f));
+}
+
 static inline void frame_case_close(struct frame_case *f)
 {
     for (int i = 0; i < 3; i++)
         free(f->block[i]);
     free(f->picture);
     memset(f, 0, sizeof *f);
+}
+
+/* A configuration of this size, whole, by X. */
+static inline struct frame_case frame_case_small(unsigned width, unsigned height, enum glint_format format)
+{
+    return (struct frame_case){
+        .config = {
+            .width = (uint16_t)width, .height = (uint16_t)height, .format = (uint8_t)format, .method = &glint_x}};
+}
+
+/* A picture by a renderer of its own, to be freed; `stats` may be null. */
+static inline uint8_t *frame_case_picture(struct frame_case f, const void *scene, uint32_t time_ms,
+                                          struct glint_stats *stats)
+{
+    frame_case_open_for(&f, scene);
+    frame_case_draw(&f, scene, time_ms);
+    if (stats)
+        *stats = f.frame.stats;
+    uint8_t *picture = f.picture;
+    f.picture = NULL;
+    frame_case_close(&f);
+    return picture;
 }
 
 #endif

@@ -12,10 +12,12 @@
 
 #include <cmocka.h>
 #include <math.h>
+#include <stdlib.h>
 
 /* What a channel may err by, in display units, of which an intensity of 1 has 256. Q14 corner values have 1/64. */
 #define LINEAR_ERROR    (1 / 40.)
 #define QUADRATIC_ERROR (2 / 5.)  /* across 1024 pixels, normals half a turn apart */
+#define WIDE_ERROR      (3 / 2.)  /* beyond 1024, where second differences take corners in whole eighths of a pixel */
 #define EXACT_ERROR     (1 / 32.) /* thin and tiny triangles: barycentric at each pixel */
 #define UNIT            0x1p22
 
@@ -117,10 +119,24 @@ static void truth(int x, int y, double *linear, double *bend)
 static double worst[2][2]; /* [quadratic][exact] */
 static long tested[2][2];
 
+static int32_t extent(void)
+{
+    int32_t most = 0;
+    for (int k = 0; k < 3; k++) {
+        int32_t x = corner[(k + 1) % 3].x - corner[k].x, y = corner[(k + 1) % 3].y - corner[k].y;
+        most = most > abs(x) ? most : abs(x);
+        most = most > abs(y) ? most : abs(y);
+    }
+    return most;
+}
+
 static void check_value(int quadratic, int exact, int x, int y, int32_t got, double wanted)
 {
     double error = fabs(got - wanted) / UNIT;
-    double bound = exact ? EXACT_ERROR : quadratic ? QUADRATIC_ERROR : LINEAR_ERROR;
+    double bound = exact                  ? EXACT_ERROR
+                   : !quadratic           ? LINEAR_ERROR
+                   : extent() > 1024 * 16 ? WIDE_ERROR
+                                          : QUADRATIC_ERROR;
     if (error > bound)
         fail_msg("(%d, %d) (%d, %d) (%d, %d)/16 px, %s%s: pixel (%d, %d) is off by %.3f display units", corner[0].x,
                  corner[0].y, corner[1].x, corner[1].y, corner[2].x, corner[2].y, quadratic ? "quadratic" : "linear",

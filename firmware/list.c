@@ -1,0 +1,168 @@
+/* SPDX-License-Identifier: MIT */
+#include "list.h"
+
+#include "geometry/clip.h"
+#include "geometry/project.h"
+#include "raster/raster.h"
+
+/* Notes a triangle to be drawn if it faces the eye and covers a pixel's row and column of the picture. */
+static inline void list_triangle(struct glint_frame *f, const int16_t *const p[3], unsigned object, unsigned index,
+                                 int clipped)
+{
+    /* Differences of |p| <= GUARD are at most 2^15: products 2^30, the determinant at most 2^30. Front faces are
+     * counter-clockwise with y up, so negative with y down. */
+    int32_t x0 = p[0][VERTEX_X], y0 = p[0][VERTEX_Y];
+    int32_t x1 = p[1][VERTEX_X] - x0, y1 = p[1][VERTEX_Y] - y0, x2 = p[2][VERTEX_X] - x0, y2 = p[2][VERTEX_Y] - y0;
+    if (x1 * y2 - x2 * y1 >= 0) {
+        f->stats.culled++;
+        return;
+    }
+    int32_t top = y1 < y2 ? y1 : y2, bottom = y1 > y2 ? y1 : y2, left = x1 < x2 ? x1 : x2, right = x1 > x2 ? x1 : x2;
+    int32_t down = y0 + 8 * f->config.height, across = x0 + 8 * f->config.width;
+    int32_t first = edges_first(down + (top < 0 ? top : 0)), last = edges_first(down + (bottom > 0 ? bottom : 0));
+    int32_t from = edges_first(across + (left < 0 ? left : 0)), to = edges_first(across + (right > 0 ? right : 0));
+    if (first >= last || from >= to) {
+        f->stats.culled++; /* between pixel centres */
+        return;
+    }
+    first = first < 0 ? 0 : first;
+    last = last > f->config.height ? f->config.height : last;
+    if (first >= last || to <= 0 || from >= f->config.width) {
+        f->stats.rejected++;
+        return;
+    }
+    if (f->triangle_count == f->config.max_triangles) {
+        f->stats.dropped++;
+        return;
+    }
+    struct triangle_ref *ref = &f->triangles[f->triangle_count++];
+    ref->index = (uint16_t)index;
+    ref->object = (uint8_t)object;
+    ref->clipped = (uint8_t)clipped;
+    ref->first = (uint16_t)first;
+    ref->last = (uint16_t)last;
+}
+
+/* Twice the area of a turn, positive for a left one with y up: a front face's. */
+static int32_t turn(const int16_t *a, const int16_t *b, const int16_t *c)
+{
+    /* Differences are at most 2^15: products 2^30, the whole that of a triangle in such a box. */
+    return (c[VERTEX_X] - a[VERTEX_X]) * (b[VERTEX_Y] - a[VERTEX_Y]) -
+           (b[VERTEX_X] - a[VERTEX_X]) * (c[VERTEX_Y] - a[VERTEX_Y]);
+}
+
+static int original(const struct clip_corner *corner)
+{
+    return corner->weight[0] == Q30(1, 1) || corner->weight[1] == Q30(1, 1) || corner->weight[2] == Q30(1, 1);
+}
+
+/*
+ * Where to fan the pieces out from. Rounding to sub-pixels can turn a corner of the mesh inwards, one that a cut is
+ * close to or with nearly straight edges. Pieces from another corner would then cover what lies beyond one of its
+ * edges, which another triangle shares and draws; those from it do not. Corners made by cutting are on the guard band,
+ * out of the picture.
+ */
+static int apex_of(const struct clip_polygon *polygon, int16_t (*place)[3])
+{
+    const int count = polygon->count;
+    for (int i = 0; i < count; i++)
+        if (original(&polygon->corner[i]) &&
+            turn(place[i ? i - 1 : count - 1], place[i], place[i + 1 == count ? 0 : i + 1]) <= 0)
+            return i;
+    return 0;
+}
+
+static void store_piece(struct glint_frame *f, const struct clip_polygon *polygon, int16_t (*place)[3],
+                        const int corners[3], unsigned object, unsigned source)
+{
+    struct clipped_triangle *piece = &f->clipped[f->clipped_count];
+    piece->source = (uint16_t)source;
+    for (int c = 0; c < 3; c++)
+        for (int i = 0; i < 3; i++) {
+            q30_t w = polygon->corner[corners[c]].weight[i];
+            piece->place[c][i] = place[corners[c]][i];
+            piece->weight[c][i] = (uint16_t)(w < 0 ? 0 : (w + (1 << 14)) >> 15);
+        }
+    const int16_t *const p[3] = {piece->place[0], piece->place[1], piece->place[2]};
+    unsigned before = f->triangle_count;
+    list_triangle(f, p, object, f->clipped_count, 1);
+    f->clipped_count = (uint16_t)(f->clipped_count + (f->triangle_count - before));
+}
+
+/* Rare, so kept out of the loop that calls it. */
+static __attribute__((noinline)) void clip(struct glint_frame *f, const struct transform *transform,
+                                           const struct scene_vertex *vertices, const struct scene_triangle *triangle,
+                                           unsigned object, unsigned source)
+{
+    struct clip_polygon *polygon = &f->raster->begin.polygon[0];
+    int16_t(*place)[3] = f->raster->begin.place;
+    polygon->count = 3;
+    for (int k = 0; k < 3; k++) {
+        struct clip_corner *corner = &polygon->corner[k];
+        corner->eye = transform_point(transform, vertices[triangle->corner[k]].position);
+        for (int i = 0; i < 3; i++)
+            corner->weight[i] = i == k ? Q30(1, 1) : 0;
+    }
+    clip_triangle(transform, polygon, &f->raster->begin.polygon[1]);
+    if (polygon->count < 3) {
+        f->stats.rejected++;
+        return;
+    }
+    int fits = 1;
+    for (int k = 0; k < polygon->count; k++) {
+        struct screen_point point = {0, 0, 0};
+        fits &= project_clipped(transform, polygon->corner[k].eye, &point);
+        place[k][VERTEX_X] = point.x;
+        place[k][VERTEX_Y] = point.y;
+        place[k][VERTEX_DEPTH] = (int16_t)point.depth;
+    }
+    /* All pieces or none. */
+    const int pieces = polygon->count - 2;
+    if (!fits || f->clipped_count + pieces > f->config.max_clipped ||
+        f->triangle_count + pieces > f->config.max_triangles) {
+        f->stats.dropped++;
+        return;
+    }
+    f->stats.clipped++;
+    const int apex = apex_of(polygon, place);
+    for (int k = 1; k <= pieces; k++) {
+        const int corners[3] = {apex, (apex + k) % polygon->count, (apex + k + 1) % polygon->count};
+        store_piece(f, polygon, place, corners, object, source);
+    }
+}
+
+static int unplaced(const int16_t *const p[3])
+{
+    return p[0][VERTEX_X] == VERTEX_UNPLACED || p[1][VERTEX_X] == VERTEX_UNPLACED || p[2][VERTEX_X] == VERTEX_UNPLACED;
+}
+
+void list_object(struct glint_frame *f, const struct transform *transform, unsigned index, int all_placed)
+{
+    const struct object_state *object = &f->objects[index];
+    const struct scene_mesh *mesh = object->mesh;
+    const struct scene_triangle *triangle = scene_at(f->scene, mesh->triangles);
+    const int16_t *records = list_record(f, object->first_vertex);
+    const uint32_t stride = f->vertex_stride, count = mesh->triangle_count;
+    for (uint32_t i = 0; i < count; i++, triangle++) {
+        const int16_t *const p[3] = {records + triangle->corner[0] * stride, records + triangle->corner[1] * stride,
+                                     records + triangle->corner[2] * stride};
+        if (!all_placed && unplaced(p))
+            clip(f, transform, scene_at(f->scene, mesh->vertices), triangle, index, i);
+        else
+            list_triangle(f, p, index, i, 0);
+    }
+}
+
+/* A counting sort. */
+void list_sort(struct glint_frame *f)
+{
+    uint16_t *start = f->rows;
+    for (unsigned row = 0; row <= f->config.height; row++)
+        start[row] = 0;
+    for (unsigned i = 0; i < f->triangle_count; i++)
+        start[f->triangles[i].first + 1]++; /* first < height */
+    for (unsigned row = 0; row < f->config.height; row++)
+        start[row + 1] = (uint16_t)(start[row + 1] + start[row]);
+    for (unsigned i = 0; i < f->triangle_count; i++)
+        f->order[start[f->triangles[i].first]++] = (uint16_t)i;
+}
