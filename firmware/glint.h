@@ -29,7 +29,8 @@ enum glint_format {
     GLINT_FORMATS
 };
 
-/* The shading methods: only those that a program names are linked. */
+/* The shading methods: only those that a program names are linked. Everything is linear or quadratic in the picture. A
+ * point light or a near eye is taken from each vertex (flat, gouraud, x) or pixel (phong). */
 struct glint_method;
 extern const struct glint_method glint_flat;    /* one value a triangle */
 extern const struct glint_method glint_gouraud; /* finished colour linear over the triangle */
@@ -68,7 +69,7 @@ struct glint_stats {
     uint32_t triangles;             /* in all objects */
     uint32_t culled;                /* facing away, or without area on the pixel grid */
     uint32_t rejected;              /* wholly outside the view */
-    uint32_t clipped;               /* cut at the near plane or the guard band */
+    uint32_t clipped;               /* cut at the near or far plane or the guard band */
     uint32_t dropped;               /* no room in a store */
     uint32_t drawn[GLINT_METHODS];  /* by the method they were drawn with */
     uint32_t pixels[GLINT_METHODS]; /* that passed the depth test, by method */
@@ -95,8 +96,8 @@ struct glint_frame {
     uint8_t light_count;
     uint16_t vertex_stride; /* int16_t a vertex record */
     uint16_t vertex_count, triangle_count, clipped_count, object_count;
-    uint16_t active,
-        queued; /* of order[]: [0, active) reach below the last band, [queued, triangle_count) are to come */
+    /* of order[]: [0, active) reach below the last band, [queued, triangle_count) are to come */
+    uint16_t active, queued;
     struct object_state *objects;
     int16_t *vertices;
     struct triangle_ref *triangles;
@@ -116,7 +117,7 @@ int glint_scene_check(const void *scene, size_t size);
 /* Why glint_scene_check() refused: one short sentence. */
 const char *glint_scene_problem(const void *scene, size_t size);
 
-/* Sets max_vertices, max_triangles, max_clipped and max_objects so that every view of the checked scene fits. */
+/* Sets the max_ members to what a checked scene takes; max_clipped to what all but contrived views do. */
 void glint_fit_stores(struct glint_config *config, const void *scene);
 
 /* Bytes that config->memory must have; 0 if the configuration is not one glint_init() takes. */

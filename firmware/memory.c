@@ -3,6 +3,13 @@
 #include "list.h"
 #include "raster/raster.h"
 
+/* The bytes that README.md promises. */
+_Static_assert(sizeof(struct triangle_ref) == 8, "a listed triangle");
+_Static_assert(sizeof(struct clipped_triangle) == 40, "a piece made by clipping");
+_Static_assert(sizeof(void *) > 4 || (sizeof(struct object_state) == 248 && sizeof(struct raster) == 1664 &&
+                                      sizeof(struct colour_table) == 16548),
+               "an object, the working state, a colour table");
+
 static size_t words(size_t bytes)
 {
     return (bytes + 3) & ~(size_t)3;

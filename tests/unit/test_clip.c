@@ -188,6 +188,46 @@ static double phi(const struct scene_triangle *t, struct cover_point c)
     return sum;
 }
 
+/* An edge through the very centre of a pixel to a corner where the guard band ends, between a triangle that has a
+ * corner outside and one that has not: both must take the edge for the same. */
+static void edge_to_a_corner_at_the_guard_band_is_drawn_once(void **state)
+{
+    (void)state;
+    static uint8_t count[WIDTH * HEIGHT];
+    struct frame_case f;
+    int tested = 0;
+    sub_pixel_camera();
+    open_grey(&f, &glint_flat);
+    random_seed(65);
+    memset(vertex, 0, sizeof vertex);
+    for (int i = 0; i <= RING; i++)
+        scene_case_normal(vertex[i].normal, 0, 0, 1);
+    while (tested < 1500) {
+        static const int ends[] = {16300, 16383, 16384, 16385};
+        int x = random_between(20, WIDTH - 20), y = random_between(16, HEIGHT - 16), end = ends[tested % 4];
+        struct cover_point c = cover_centre(x, y, WIDTH, HEIGHT);
+        int dx = random_between(17, 600), dy = random_between(-2 * dx / 3, 2 * dx / 3), times = (end - c.x) / dx;
+        if (times * dx != end - c.x)
+            continue;
+        const struct cover_point p[4] = {
+            {c.x - dx, c.y - dy}, {end, c.y + times * dy}, {16000, 16000}, {random_between(-4000, 4000), -25000}};
+        for (int i = 0; i < 4; i++) {
+            vertex[i].position[0] = (int16_t)p[i].x;
+            vertex[i].position[1] = (int16_t)-p[i].y;
+        }
+        struct scene_header *blob = fan_blob(3);
+        triangle[0] = (struct scene_triangle){.corner = {0, 2, 1}};
+        triangle[1] = (struct scene_triangle){.corner = {0, 1, 3}};
+        count_pixels(&f, blob, 2, count);
+        if (count[y * WIDTH + x] != 1)
+            fail_msg("(%d, %d) to (%d, %d)/16 px: pixel (%d, %d) is drawn %d times", p[0].x, p[0].y, p[1].x, p[1].y, x,
+                     y, count[y * WIDTH + x]);
+        free(blob);
+        tested++;
+    }
+    frame_case_close(&f);
+}
+
 /* The least height of a triangle of the fan, in sub-pixels. */
 static double height_of(const struct scene_triangle *t)
 {
@@ -296,7 +336,7 @@ static int ray_meets(const struct scene_triangle *t, double sx, double sy)
             return 0;
         away -= p[k][2] * weight[k] / sum;
     }
-    return away >= .25 && away <= 64;
+    return away >= .25 && away <= scene.head.camera.far_plane / (double)CASE_UNIT;
 }
 
 /* 1 or 0 if all rays within an eighth of a pixel agree, else -1. */
@@ -333,7 +373,7 @@ static int random_floor(void)
     return 1;
 }
 
-static void edge_shared_across_the_near_plane_is_drawn_once(void **state)
+static void edge_shared_across_the_near_and_far_planes_is_drawn_once(void **state)
 {
     (void)state;
     static uint8_t count[WIDTH * HEIGHT];
@@ -353,6 +393,7 @@ static void edge_shared_across_the_near_plane_is_drawn_once(void **state)
         cross(axis[0], axis[1], normal);
         if (dot(normal, origin) > -.2)
             continue;
+        scene.head.camera.far_plane = (fans & 1 ? 3 : 64) * CASE_UNIT;
         struct scene_header *blob = fan_blob(RING);
         clipped += count_pixels(&f, blob, RING, count);
         for (int p = 0; p < WIDTH * HEIGHT; p++) {
@@ -403,8 +444,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(edge_shared_across_the_guard_band_is_drawn_once),
+        cmocka_unit_test(edge_to_a_corner_at_the_guard_band_is_drawn_once),
         cmocka_unit_test(x_on_pieces_has_the_values_of_the_whole_triangle),
-        cmocka_unit_test(edge_shared_across_the_near_plane_is_drawn_once),
+        cmocka_unit_test(edge_shared_across_the_near_and_far_planes_is_drawn_once),
         cmocka_unit_test(behind_the_near_plane_nothing_is_drawn),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
