@@ -13,47 +13,46 @@ static void shade_run(struct raster *r, int x, int y, int n)
     }
 }
 
-FX_WRAPS static inline uint32_t start_value(const struct polynomial *p, uint32_t i, uint32_t j)
-{
-    return p->f + p->e * j + p->d * i;
-}
-
-/* RGB565, as draw_x.c's loops. The fields' half steps are added beforehand, so that taking whole steps rounds. */
+/* 565: fields of at most 6 bits, so a Q24 step count plus the rounding half stays below 2^30 and its sign shows. */
 FX_WRAPS static uint32_t spans(struct raster *r, struct edges *e)
 {
-    const struct polynomial pz = r->setup.depth.p, pr = r->setup.channel[0].p, pg = r->setup.channel[1].p,
-                            pb = r->setup.channel[2].p;
-    const uint32_t half = 1u << 23, width = r->width;
-    const int ox = r->setup.plane.ox;
-    const uintptr_t to_pixels = (uintptr_t)r->pixels - (uintptr_t)r->depth;
-    volatile uint32_t hidden = 0;
-    uint32_t j = (uint32_t)(e->row - r->setup.plane.oy), covered = 0;
-    uint16_t *row = r->depth + (uint32_t)(e->row - r->y0) * width;
+    const struct polynomial *pz = &r->setup.depth.p, *pr = &r->setup.channel[0].p, *pg = &r->setup.channel[1].p,
+                            *pb = &r->setup.channel[2].p;
+    const uint32_t dz = pz->d, dr = pr->d, dg = pg->d, db = pb->d, half = 1u << 23;
+    uint32_t j = (uint32_t)(e->row - r->setup.plane.oy), hidden = 0, covered = 0;
+    uint32_t z = pz->f + pz->e * j, red = pr->f + pr->e * j + half, green = pg->f + pg->e * j + half,
+             blue = pb->f + pb->e * j + half;
+    uint32_t row = (uint32_t)(e->row - r->y0) * r->width;
     do {
         const struct span *span = r->span, *last = span + raster_spans(r, e);
-        for (; span != last; span++, j++, row += width) {
-            int32_t n = span->x1 - span->x0;
-            if (n <= 0)
-                continue;
-            uint32_t i = (uint32_t)(span->x0 - ox);
-            uint32_t z = start_value(&pz, i, j), red = start_value(&pr, i, j) + half;
-            uint32_t green = start_value(&pg, i, j) + half, blue = start_value(&pb, i, j) + half;
-            uint16_t *depth = row + span->x0, *end = row + span->x1;
-            covered += (uint32_t)n;
-            do {
-                uint32_t nearer = z >> 16;
-                if (nearer > *depth) {
-                    *depth = (uint16_t)nearer;
-                    *(uint16_t *)((uintptr_t)depth + to_pixels) =
-                        (uint16_t)(red >> 24 << 11 | green >> 24 << 5 | blue >> 24);
-                } else {
-                    hidden = hidden + 1;
-                }
-                fx_step(&z, pz.d);
-                fx_step(&red, pr.d);
-                fx_step(&green, pg.d);
-                fx_step(&blue, pb.d);
-            } while (++depth != end);
+        for (; span != last; span++) {
+            int n = span->x1 - span->x0;
+            if (n > 0) {
+                uint32_t i = (uint32_t)(span->x0 - r->setup.plane.ox);
+                uint32_t vz = z + dz * i, vr = red + dr * i, vg = green + dg * i, vb = blue + db * i;
+                uint16_t *pixel = (uint16_t *)(void *)r->pixels + row + span->x0, *depth = r->depth + row + span->x0;
+                uint16_t *end = pixel + n;
+                covered += (uint32_t)n;
+                do {
+                    uint32_t nearer = vz >> 16;
+                    if (nearer > *depth) {
+                        *depth = (uint16_t)nearer;
+                        *pixel = (uint16_t)(vr >> 24 << 11 | vg >> 24 << 5 | vb >> 24);
+                    } else {
+                        hidden++;
+                    }
+                    vz += dz;
+                    vr += dr;
+                    vg += dg;
+                    vb += db;
+                    depth++;
+                } while (++pixel < end);
+            }
+            z += pz->e;
+            red += pr->e;
+            green += pg->e;
+            blue += pb->e;
+            row += r->width;
         }
     } while (e->row < e->last);
     return covered - hidden;

@@ -87,16 +87,16 @@ static void sub_pixel_camera(void)
 
 static struct cover_point corner[RING + 1];
 
-/* At the guard band, 1024 pixels out, beyond it, or anywhere about the picture. Not a sub-pixel inside it: a cut that
- * close to a corner may be rounded to its other side, and turns over a piece that is thinner than any pixel. */
+/* At the guard band, 1024 pixels out, beyond it, a sub-pixel inside it, where a cut close by may be rounded to a corner's
+ * other side, or anywhere about the picture. */
 static struct cover_point random_corner(void)
 {
-    static const int special[] = {16383, 16384, 16385, -16383, -16384, -16385, 0};
+    static const int special[] = {16381, 16382, 16383, 16384, 16385, -16381, -16382, -16383, -16384, -16385, 0};
     struct cover_point p = {random_between(-32000, 32000), random_between(-32000, 32000)};
     if (random_bits() % 3 == 0)
-        p.x = special[random_bits() % 7];
+        p.x = special[random_bits() % 11];
     if (random_bits() % 3 == 0)
-        p.y = special[random_bits() % 7];
+        p.y = special[random_bits() % 11];
     return p;
 }
 
