@@ -4,8 +4,9 @@
 /*
  * Corner differences are scaled to 14 bits, so a determinant far below 2^28 of those is a sliver. With `up` its leading
  * zero bits, a linear channel errs by about 2^up in Q30 at the far end (one unit of the high product, times
- * 2^(scale + up - 14), over 2^(14 - scale) sub-pixels), a quadratic one by 3 * 2^(2 up - 2): these limits keep both
- * below 1/64 and 1/5 of a display unit.
+ * 2^(scale + up - 14), over 2^(14 - scale) sub-pixels), a quadratic one by 3 * 2^(2 up - 2), and besides by half a unit
+ * times the square of the distance from the origin, as its second differences are rounded. These limits keep the first
+ * two below 1/64 and 1/5 of a display unit; the third is 3/16 at 1024 pixels and 1/2 at 2048.
  */
 #define MOST_UP_LINEAR    15
 #define MOST_UP_QUADRATIC 9
@@ -89,11 +90,33 @@ FX_WRAPS static inline uint32_t shifted(int32_t x, int up)
     return up < -31 ? 0 : (uint32_t)((x + (int32_t)(1u << (-up - 1))) >> -up);
 }
 
-/* A gradient's product to its place. */
-FX_WRAPS static inline void place_gradient(const struct plane *p, int32_t nx, int32_t ny, uint32_t *gx, uint32_t *gy)
+/* Corner differences d1, d2, |d| < 2^16, across the edges: det * 2^(2 scale) times the gradient, by 2^-scale. */
+struct slope {
+    int32_t x, y;
+};
+
+/* Beyond 1024 pixels: better to lose the low bits of the differences than those of the coordinates. */
+static __attribute__((noinline)) struct slope slope_wide(const struct plane *p, int32_t d1, int32_t d2)
+{
+    const int down = -p->scale, half = 1 << (down - 1);
+    d1 = (d1 + half) >> down;
+    d2 = (d2 + half) >> down;
+    return (struct slope){d1 * p->whole_y2 - d2 * p->whole_y1, d2 * p->whole_x1 - d1 * p->whole_x2};
+}
+
+/* Products are at most 2^30, here and above; the sums at most 2^31, and less where both have one sign. */
+static inline struct slope slope_of(const struct plane *p, int32_t d1, int32_t d2)
+{
+    if (p->scale < 0)
+        return slope_wide(p, d1, d2);
+    return (struct slope){d1 * p->y2 - d2 * p->y1, d2 * p->x1 - d1 * p->x2};
+}
+
+/* The gradient: a sixteenth of a pixel's step, times 2^16. */
+FX_WRAPS static inline void gradient(const struct plane *p, struct slope n, uint32_t *gx, uint32_t *gy)
 {
     /* n / (det 2^(2 scale)) * 2^(16 + scale) = n * (r / 2^33) * 2^(up - scale - 14) */
-    const int32_t x = fx_mulhi_s32(nx, p->half), y = fx_mulhi_s32(ny, p->half);
+    const int32_t x = fx_mulhi_s32(n.x, p->half), y = fx_mulhi_s32(n.y, p->half);
     const int up = p->shift; /* -13..17 */
     if (up >= 0) {
         *gx = (uint32_t)x << up;
@@ -103,26 +126,6 @@ FX_WRAPS static inline void place_gradient(const struct plane *p, int32_t nx, in
         *gx = (uint32_t)((x + round) >> -up);
         *gy = (uint32_t)((y + round) >> -up);
     }
-}
-
-/* Beyond 1024 pixels: better to lose the low bits of the differences than those of the coordinates. */
-static __attribute__((noinline)) void gradient_wide(const struct plane *p, int32_t d1, int32_t d2, uint32_t *gx,
-                                                    uint32_t *gy)
-{
-    const int down = -p->scale, half = 1 << (down - 1);
-    d1 = (d1 + half) >> down;
-    d2 = (d2 + half) >> down;
-    place_gradient(p, d1 * p->whole_y2 - d2 * p->whole_y1, d2 * p->whole_x1 - d1 * p->whole_x2, gx, gy);
-}
-
-/* The gradient of corner differences d1, d2, |d| < 2^16: a sixteenth of a pixel's step, times 2^16. Products are at
- * most 2^30, here and above; the sums at most 2^31, and less where both have one sign. */
-static inline void gradient(const struct plane *p, int32_t d1, int32_t d2, uint32_t *gx, uint32_t *gy)
-{
-    if (p->scale < 0)
-        gradient_wide(p, d1, d2, gx, gy);
-    else
-        place_gradient(p, d1 * p->y2 - d2 * p->y1, d2 * p->x1 - d1 * p->x2, gx, gy);
 }
 
 static void keep_corners(struct channel *channel, const int32_t value[3], const int32_t bulge[3])
@@ -141,7 +144,7 @@ FX_WRAPS void plane_linear(const struct plane *plane, const int32_t value[3], st
         return;
     }
     uint32_t gx, gy;
-    gradient(plane, value[1] - value[0], value[2] - value[0], &gx, &gy);
+    gradient(plane, slope_of(plane, value[1] - value[0], value[2] - value[0]), &gx, &gy);
     struct polynomial *p = &channel->p;
     p->f = ((uint32_t)value[0] << 16) + gx * (uint32_t)plane->fx + gy * (uint32_t)plane->fy;
     p->d = gx << 4;
@@ -149,10 +152,62 @@ FX_WRAPS void plane_linear(const struct plane *plane, const int32_t value[3], st
     p->a = p->b = p->c = 0;
 }
 
-/* Second differences times det^2, halved. */
-struct numerators {
+/* Second differences, of eq. 22, times det^2 2^(4 scale) and halved. */
+struct curve {
     int32_t a, b, c;
 };
+
+/* Beyond 1024 pixels, from whole coordinates: coefficients up to 2^30, products of coordinates 2^30, three sums below
+ * 2^62. */
+static __attribute__((noinline)) struct curve curve_wide(const struct plane *p, int32_t a, int32_t b, int32_t c)
+{
+    const int64_t x1 = p->whole_x1, y1 = p->whole_y1, x2 = p->whole_x2, y2 = p->whole_y2;
+    const int down = 29 - 2 * p->scale;
+    return (struct curve){(int32_t)((a * (y2 * y2) + b * (y1 * y1) - c * (y1 * y2)) >> down),
+                          (int32_t)((a * (x2 * x2) + b * (x1 * x1) - c * (x1 * x2)) >> down),
+                          (int32_t)((c * ((x1 * y2 + x2 * y1) / 2) - a * (x2 * y2) - b * (x1 * y1)) >> down)};
+}
+
+/* Coordinates are below 2^14, their products below 2^28 and times 8 below 2^31. Each high product is half of
+ * coefficient * product: below 2^27, for c 3 * 2^27; the sums stay below 2^30. */
+static inline struct curve curve_of(const struct plane *p, int32_t a, int32_t b, int32_t c)
+{
+    const int32_t x1 = p->x1, y1 = p->y1, x2 = p->x2, y2 = p->y2;
+    if (p->scale < 0)
+        return curve_wide(p, a, b, c);
+    return (struct curve){
+        fx_mulhi_s32(a, (y2 * y2) << 3) + fx_mulhi_s32(b, (y1 * y1) << 3) - fx_mulhi_s32(c, (y1 * y2) * 8),
+        fx_mulhi_s32(a, (x2 * x2) << 3) + fx_mulhi_s32(b, (x1 * x1) << 3) - fx_mulhi_s32(c, (x1 * x2) * 8),
+        fx_mulhi_s32(c, (x1 * y2 + x2 * y1) * 4) - fx_mulhi_s32(a, (x2 * y2) * 8) - fx_mulhi_s32(b, (x1 * y1) * 8)};
+}
+
+/* n / (det 2^(2 scale))^2 * 2^(31 + 8 + 2 scale) = n * (r2 / 2^32) * 2^curve_shift; a pixel is 16 sub-pixels. */
+static inline int curve_shift(const struct plane *p)
+{
+    return 2 * (p->up - p->scale) - 22;
+}
+
+/* The polynomial where the origin is the centre of corner 0's pixel. Heights are at least 2 pixels, so the second
+ * differences are at most 5/4 and 5/2 of 2^30 at the very worst bend; products are taken modulo 2^32, the results fit.
+ */
+FX_WRAPS static inline void near_quadratic(const struct plane *plane, int32_t value, struct slope slope,
+                                           struct curve curve, struct polynomial *p)
+{
+    const int up = curve_shift(plane);
+    const int32_t a = (int32_t)shifted(fx_mulhi_s32(curve.a, plane->r2), up);
+    const int32_t b = (int32_t)shifted(fx_mulhi_s32(curve.b, plane->r2), up);
+    const int32_t c = (int32_t)shifted(fx_mulhi_s32(curve.c, plane->r2), up + 1);
+    const int32_t fx = plane->fx, fy = plane->fy;
+    uint32_t gx, gy;
+    gradient(plane, slope, &gx, &gy);
+    p->f = ((uint32_t)value << 16) + gx * (uint32_t)fx + gy * (uint32_t)fy + (uint32_t)((a >> 8) * (fx * fx)) +
+           (uint32_t)((b >> 8) * (fy * fy)) + (uint32_t)((c >> 8) * (fx * fy));
+    p->d = (gx << 4) + (uint32_t)(a >> 3) * (uint32_t)fx + (uint32_t)(c >> 4) * (uint32_t)fy;
+    p->e = (gy << 4) + (uint32_t)(b >> 3) * (uint32_t)fy + (uint32_t)(c >> 4) * (uint32_t)fx;
+    p->a = (uint32_t)a;
+    p->b = (uint32_t)b;
+    p->c = (uint32_t)c;
+}
 
 /* x * 2^-down as Q46, modulo 2^64; the products below are 62 bits at most. */
 FX_WRAPS static uint64_t q46(int64_t x, int down)
@@ -162,17 +217,16 @@ FX_WRAPS static uint64_t q46(int64_t x, int down)
     return down > 62 ? 0 : (uint64_t)((x + (INT64_C(1) << (down - 1))) >> down);
 }
 
-/* The polynomial where the origin is far from corner 0, which is outside the picture: moved in Q46 and sub-pixels, and
- * only then rounded. Offsets are up to 2^15: a unit of the last place becomes 2^-16 of a display unit's 2^22. */
-FX_WRAPS static void far_quadratic(const struct plane *plane, int32_t value, int32_t d1, int32_t d2,
-                                   const struct numerators *n, struct polynomial *p)
+/* The same where the origin is far from corner 0, which is outside the picture: moved in Q46 and sub-pixels, and only
+ * then rounded. Offsets are up to 2^15: half a unit of the last place becomes 2^-17 of a unit of Q30. */
+FX_WRAPS static void far_quadratic(const struct plane *plane, int32_t value, struct slope slope, struct curve curve,
+                                   struct polynomial *p)
 {
-    /* gradient() and the second differences below, with 16 more bits and 1/256 of a square pixel. */
-    const int linear = -(plane->shift + 16 - 32), square = -(2 * (plane->up - plane->scale) - 22 + 8 - 32);
-    const uint64_t gx = q46((int64_t)(d1 * plane->y2 - d2 * plane->y1) * plane->half, linear);
-    const uint64_t gy = q46((int64_t)(d2 * plane->x1 - d1 * plane->x2) * plane->half, linear);
-    const uint64_t a = q46((int64_t)n->a * plane->r2, square), b = q46((int64_t)n->b * plane->r2, square);
-    const uint64_t c = q46((int64_t)n->c * plane->r2, square - 1);
+    /* 16 more bits than gradient()'s and curve_shift()'s, and 1/256 of a square pixel. */
+    const int linear = 16 - plane->shift, square = 24 - curve_shift(plane);
+    const uint64_t gx = q46((int64_t)slope.x * plane->half, linear), gy = q46((int64_t)slope.y * plane->half, linear);
+    const uint64_t a = q46((int64_t)curve.a * plane->r2, square), b = q46((int64_t)curve.b * plane->r2, square);
+    const uint64_t c = q46((int64_t)curve.c * plane->r2, square - 1);
     const uint64_t x = (uint64_t)(int64_t)plane->fx, y = (uint64_t)(int64_t)plane->fy, half = 1u << 15;
     p->f = (uint32_t)((((uint64_t)(int64_t)value << 32) + gx * x + gy * y + a * x * x + b * y * y + c * x * y + half) >>
                       16);
@@ -194,42 +248,14 @@ FX_WRAPS void plane_quadratic(const struct plane *plane, const int32_t value[3],
     /* eq. 32: a u^2 + b v^2 + c u v + d u + e v + f, u towards corner 1, v towards corner 2. In Q28; |a|, |b| <= 2^28,
      * |c| <= 3 * 2^28. */
     int32_t a = bulge[0], b = bulge[2], c = a + b - bulge[1];
-    int32_t x1 = plane->x1, y1 = plane->y1, x2 = plane->x2, y2 = plane->y2;
-    int32_t d1 = value[1] - value[0] - ((a + (1 << 13)) >> 14), d2 = value[2] - value[0] - ((b + (1 << 13)) >> 14);
-    uint32_t gx, gy;
-    gradient(plane, d1, d2, &gx, &gy);
-
-    /* eq. 22 times det^2, halved: coordinates are below 2^14, their products below 2^28 and times 8 below 2^31. Each
-     * high product is half of coefficient * product: below 2^27, for c 3 * 2^27; the sums stay below 2^30. */
-    int32_t na = fx_mulhi_s32(a, (y2 * y2) << 3) + fx_mulhi_s32(b, (y1 * y1) << 3) - fx_mulhi_s32(c, (y1 * y2) * 8);
-    int32_t nb = fx_mulhi_s32(a, (x2 * x2) << 3) + fx_mulhi_s32(b, (x1 * x1) << 3) - fx_mulhi_s32(c, (x1 * x2) * 8);
-    int32_t nc =
-        fx_mulhi_s32(c, (x1 * y2 + x2 * y1) * 4) - fx_mulhi_s32(a, (x2 * y2) * 8) - fx_mulhi_s32(b, (x1 * y1) * 8);
-    const struct numerators n = {na, nb, nc};
-    int32_t fx = plane->fx, fy = plane->fy;
-    if (fx < -8 || fx > 8 || fy < -8 || fy > 8) {
-        far_quadratic(plane, value[0], d1, d2, &n, &channel->p);
-        return;
-    }
-    /* n / (det 2^(2 scale))^2 * 2^(31 + 8 + 2 scale) = n * (r2 / 2^32) * 2^(2 (up - scale) - 22); a pixel is 16
-     * sub-pixels. */
-    int up = 2 * (plane->up - plane->scale) - 22;
-    int32_t qa = (int32_t)shifted(fx_mulhi_s32(na, plane->r2), up);
-    int32_t qb = (int32_t)shifted(fx_mulhi_s32(nb, plane->r2), up);
-    int32_t qc = (int32_t)shifted(fx_mulhi_s32(nc, plane->r2), up + 1);
-
-    /* Move the origin from corner 0 to its pixel's centre. Heights are at least 2 pixels, so |qa|, |qb| <= 5/4 2^30 and
-     * |qc| <= 5/2 2^30 at the very worst bend; products are taken modulo 2^32, the results fit. */
-    struct polynomial *p = &channel->p;
-    uint32_t ax = (uint32_t)(qa >> 3) * (uint32_t)fx, by = (uint32_t)(qb >> 3) * (uint32_t)fy;
-    uint32_t cx = (uint32_t)(qc >> 4) * (uint32_t)fx, cy = (uint32_t)(qc >> 4) * (uint32_t)fy;
-    p->f = ((uint32_t)value[0] << 16) + gx * (uint32_t)fx + gy * (uint32_t)fy + (uint32_t)((qa >> 8) * (fx * fx)) +
-           (uint32_t)((qb >> 8) * (fy * fy)) + (uint32_t)((qc >> 8) * (fx * fy));
-    p->d = (gx << 4) + ax + cy;
-    p->e = (gy << 4) + by + cx;
-    p->a = (uint32_t)qa;
-    p->b = (uint32_t)qb;
-    p->c = (uint32_t)qc;
+    const int32_t d1 = value[1] - value[0] - ((a + (1 << 13)) >> 14),
+                  d2 = value[2] - value[0] - ((b + (1 << 13)) >> 14);
+    const struct slope slope = slope_of(plane, d1, d2);
+    const struct curve curve = curve_of(plane, a, b, c);
+    if (plane->fx < -8 || plane->fx > 8 || plane->fy < -8 || plane->fy > 8)
+        far_quadratic(plane, value[0], slope, curve, &channel->p);
+    else
+        near_quadratic(plane, value[0], slope, curve, &channel->p);
 }
 
 /* The barycentric way: u, v, w in Q16 from edge functions, clamped to the triangle. (px, py) is the pixel's centre from

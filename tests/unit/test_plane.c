@@ -17,7 +17,7 @@
 /* What a channel may err by, in display units, of which an intensity of 1 has 256. Q14 corner values have 1/64. */
 #define LINEAR_ERROR    (1 / 40.)
 #define QUADRATIC_ERROR (2 / 5.)  /* across 1024 pixels, normals half a turn apart */
-#define WIDE_ERROR      (3 / 2.)  /* beyond 1024, where second differences take corners in whole eighths of a pixel */
+#define WIDE_ERROR      (3 / 4.)  /* beyond 1024, where half a unit of the last place shows over the distance squared */
 #define EXACT_ERROR     (1 / 32.) /* thin and tiny triangles: barycentric at each pixel */
 #define UNIT            0x1p22
 
