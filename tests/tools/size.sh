@@ -41,6 +41,22 @@ for cpu in "$@"; do
     done
     echo
 done
+
+printf '\nbytes of the caller\'s memory, 32-bit CPU\n'
+record() { # name expression
+    echo "#include \"list.h\"
+        #include \"raster/raster.h\"
+        char bytes[$2];" >"$work/record.c"
+    arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -std=c11 -Ifirmware -ffreestanding -c "$work/record.c" -o "$work/record.o"
+    printf '  %-34s %8d\n' "$1" "0x$(arm-none-eabi-nm -S "$work/record.o" | awk '$4 == "bytes" { print $2 }')"
+}
+record "a vertex under one light" "2 * (VERTEX_LIGHTS + 2)"
+record "a listed triangle, with its order" "sizeof(struct triangle_ref) + 2"
+record "a piece made by clipping" "sizeof(struct clipped_triangle)"
+record "a triangle's set-up (one at a time)" "sizeof(struct shade_setup)"
+record "working state, set-up included" "sizeof(struct raster)"
+record "an object" "sizeof(struct object_state)"
+record "a colour table" "sizeof(struct colour_table)"
 echo
 echo "scenes"
 find "$BUILD/m3" -path '*/scenes/*.o' -exec arm-none-eabi-size {} + | awk 'NR > 1 && $6 !~ /_list/ {
