@@ -42,7 +42,7 @@ for cpu in "$@"; do
     echo
 done
 
-printf '\nbytes of the caller\'s memory, 32-bit CPU\n'
+printf '\nbytes taken of the memory given, 32-bit CPU\n'
 record() { # name expression
     echo "#include \"list.h\"
         #include \"raster/raster.h\"
@@ -53,7 +53,7 @@ record() { # name expression
 record "a vertex under one light" "2 * (VERTEX_LIGHTS + 2)"
 record "a listed triangle, with its order" "sizeof(struct triangle_ref) + 2"
 record "a piece made by clipping" "sizeof(struct clipped_triangle)"
-record "a triangle's set-up (one at a time)" "sizeof(struct shade_setup)"
+record "the set-up of the triangle in hand" "sizeof(struct shade_setup)"
 record "working state, set-up included" "sizeof(struct raster)"
 record "an object" "sizeof(struct object_state)"
 record "a colour table" "sizeof(struct colour_table)"
