@@ -70,8 +70,8 @@ int hashes_check(const struct hashes *hashes, uint32_t index, uint32_t hash)
 {
     if (hashes->entry[index].hash == hash)
         return CLI_DONE;
-    fprintf(stderr, "%s:%u: frame %u is %08x, expected %08x\n", hashes->path, hashes->entry[index].line, (unsigned)index,
-            (unsigned)hash, (unsigned)hashes->entry[index].hash);
+    fprintf(stderr, "%s:%u: frame %u is %08x, expected %08x\n", hashes->path, hashes->entry[index].line,
+            (unsigned)index, (unsigned)hash, (unsigned)hashes->entry[index].hash);
     return CLI_BAD_DATA;
 }
 

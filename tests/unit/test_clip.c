@@ -87,8 +87,8 @@ static void sub_pixel_camera(void)
 
 static struct cover_point corner[RING + 1];
 
-/* At the guard band, 1024 pixels out, beyond it, a sub-pixel inside it, where a cut close by may be rounded to a corner's
- * other side, or anywhere about the picture. */
+/* At the guard band, 1024 pixels out, beyond it, a sub-pixel inside it, where a cut close by may be rounded to a
+ * corner's other side, or anywhere about the picture. */
 static struct cover_point random_corner(void)
 {
     static const int special[] = {16381, 16382, 16383, 16384, 16385, -16381, -16382, -16383, -16384, -16385, 0};
