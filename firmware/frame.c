@@ -136,7 +136,7 @@ int glint_frame_next_band(struct glint_frame *f, struct glint_band *band)
         rows = f->config.band_rows;
     r->y0 = f->next_row;
     r->y1 = (uint16_t)(f->next_row + rows);
-    r->pixels = f->config.band[f->config.band[1] ? f->band_index & 1 : 0];
+    r->pixels = f->config.band[f->config.band[1] ? f->band_index : 0];
     r->input.no_plan = (f->config.flags & GLINT_NO_PLAN) != 0;
     raster_clear(r, f->scene);
 
@@ -163,6 +163,6 @@ int glint_frame_next_band(struct glint_frame *f, struct glint_band *band)
     band->rows = (uint16_t)rows;
     band->stride = r->stride;
     f->next_row = r->y1;
-    f->band_index++;
+    f->band_index ^= 1;
     return 1;
 }

@@ -59,8 +59,7 @@ static int original(const struct clip_corner *corner)
 /*
  * Where to fan the pieces out from. Rounding to sub-pixels can turn a corner of the mesh inwards, one that a cut is
  * close to or with nearly straight edges. Pieces from another corner would then cover what lies beyond one of its
- * edges, which another triangle shares and draws; those from it do not. Corners made by cutting are on the guard band,
- * out of the picture.
+ * edges, which another triangle shares and draws; those from it do not.
  */
 static int apex_of(const struct clip_polygon *polygon, int16_t (*place)[3])
 {
@@ -77,12 +76,16 @@ static void store_piece(struct glint_frame *f, const struct clip_polygon *polygo
 {
     struct clipped_triangle *piece = &f->clipped[f->clipped_count];
     piece->source = (uint16_t)source;
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; c++) {
+        uint16_t rest = 1u << 15; /* the three sum to 1 */
         for (int i = 0; i < 3; i++) {
             q30_t w = polygon->corner[corners[c]].weight[i];
+            uint16_t rounded = (uint16_t)(w < 0 ? 0 : (w + (1 << 14)) >> 15);
             piece->place[c][i] = place[corners[c]][i];
-            piece->weight[c][i] = (uint16_t)(w < 0 ? 0 : (w + (1 << 14)) >> 15);
+            piece->weight[c][i] = i == 2 || rounded > rest ? rest : rounded;
+            rest = (uint16_t)(rest - piece->weight[c][i]);
         }
+    }
     const int16_t *const p[3] = {piece->place[0], piece->place[1], piece->place[2]};
     unsigned before = f->triangle_count;
     list_triangle(f, p, object, f->clipped_count, 1);

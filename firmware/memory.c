@@ -7,7 +7,7 @@
 _Static_assert(sizeof(struct triangle_ref) == 8, "a listed triangle");
 _Static_assert(sizeof(struct clipped_triangle) == 40, "a piece made by clipping");
 _Static_assert(sizeof(void *) > 4 || (sizeof(struct object_state) == 248 && sizeof(struct raster) == 1664 &&
-                                      sizeof(struct colour_table) == 16548),
+                                      sizeof(struct colour_table) == 16676),
                "an object, the working state, a colour table");
 
 static size_t words(size_t bytes)
@@ -94,13 +94,13 @@ int glint_init(struct glint_frame *f, const struct glint_config *c)
     r->width = c->width;
     r->height = c->height;
     r->format = c->format;
-    r->dither = (c->flags & GLINT_DITHER) != 0;
+    r->dither = c->flags & GLINT_DITHER && (c->format == GLINT_RGB565 || c->format == GLINT_GREY4);
     r->stride = (uint32_t)glint_row_bytes(c);
     r->depth = f->depth;
     r->palette = palette_of(c->format);
-    r->tables = c->tables;
+    r->tables = c->method->uses_tables ? c->tables : 0;
     for (unsigned i = 0; i < c->tables; i++)
-        tables[i].ready = 0;
+        tables[i].exponent = 0;
     return 0;
 }
 

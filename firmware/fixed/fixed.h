@@ -124,7 +124,7 @@ static inline unsigned fx_clz(uint32_t x)
 static inline void fx_divmod_floor_narrow(int32_t num, int32_t den, int32_t *quotient, int32_t *remainder)
 {
     int32_t sign = num >> 31;
-    uint32_t n = (uint32_t)(num ^ sign), d = (uint32_t)den; /* n < 2^30 */
+    uint32_t n = (uint32_t)(num ^ sign), d = (uint32_t)den; /* n <= 2^30 + 2^19 */
     uint32_t q = n / d;
     int32_t r = (int32_t)(n - q * d); /* q d <= n */
     *quotient = (int32_t)q ^ sign;
@@ -132,7 +132,7 @@ static inline void fx_divmod_floor_narrow(int32_t num, int32_t den, int32_t *quo
 }
 
 /*
- * quotient = floor(num / den), remainder = num - quotient * den in [0, den), for |num| < 2^30, 0 < den <= 2^19.
+ * quotient = floor(num / den), remainder = num - quotient * den in [0, den), for |num| <= 2^30 + 2^19, 0 < den <= 2^19.
  * On ARMv6-M it is libgcc's __aeabi_uidiv and costs 23 instructions for quotients of -2..1, 66 for 0..319, 11
  * elsewhere: keep the quotient small there.
  */

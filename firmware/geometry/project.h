@@ -44,7 +44,7 @@ static inline int project_perspective(const struct transform *t, struct eye_poin
     /* 1 <= z < 2^29: up in 3..31. r = 2^63 / (z 2^up). */
     unsigned up = fx_clz((uint32_t)e.z);
     uint32_t r = fx_recip_norm((uint32_t)e.z << up);
-    /* near_z <= z, so up <= depth_shift: the ratio in Q(31 + depth_shift - up), at most 1; wanted in Q16. */
+    /* near <= z, so up <= depth_shift, or 1 more by rounding: the ratio in Q(31 + depth_shift - up); wanted in Q16. */
     unsigned down = 15u + (unsigned)t->depth_shift - up;
     uint32_t q16 = down < 32 ? fx_mulhi_u32(t->depth_scale, r) >> down : 0;
     q16 = q16 > 65535 ? 65535 : q16;

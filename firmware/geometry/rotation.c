@@ -198,8 +198,11 @@ void light_vector_at(const struct scene_header *scene, const struct scene_light 
         struct matrix m = rotation_matrix(&p.rotation);
         matrix_apply(&m, light->vector, out);
         if (light->kind == LIGHT_POINT)
-            for (int i = 0; i < 3; i++)
-                out[i] += p.position[i]; /* both below 2^30 */
+            for (int i = 0; i < 3;
+                 i++) { /* turned, a component may reach sqrt(3) 2^30; held where near_point() can take it */
+                int64_t sum = (int64_t)out[i] + p.position[i];
+                out[i] = (int32_t)(sum > INT32_MAX ? INT32_MAX : sum < -INT32_MAX ? -INT32_MAX : sum);
+            }
         return;
     }
     default:

@@ -60,12 +60,12 @@ static void axis_setup(struct axis *row, const int64_t c[3], int c_exponent, int
     row->t = (int32_t)scaled(t, t_exponent - exponent);
 }
 
-static void depth_setup(struct transform *t)
+static void depth_setup(struct transform *t, const struct view *view, int z_exponent)
 {
-    if (t->divide) { /* near_z / z * span, near_z normalised to 32 bits */
-        unsigned up = fx_clz((uint32_t)t->near_z);
-        t->depth_scale = (uint32_t)t->near_z << up;
-        t->depth_shift = (int)up;
+    if (t->divide) { /* near / z * span: near exactly, whatever the units of z, so that all objects have one depth */
+        unsigned up = fx_clz((uint32_t)view->near_plane);
+        t->depth_scale = (uint32_t)view->near_plane << up;
+        t->depth_shift = (int)up + 16 - z_exponent;
         return;
     }
     /* (far - z) * scale >> 32 with scale = span * 2^(32 - up) / range; range is first shifted so that the scale fits.
@@ -154,6 +154,6 @@ int transform_setup(struct transform *out, const struct view *view, const struct
 
     out->divide = view->kind == CAMERA_PERSPECTIVE;
     out->shift = out->divide ? 30 + xy_exponent - z_exponent : xy_exponent;
-    depth_setup(out);
+    depth_setup(out, view, z_exponent);
     return 1;
 }

@@ -44,7 +44,8 @@ struct transform {
     uint32_t range;        /* far_z - near_z */
     int divide;            /* perspective: screen = (x / z) >> (shift - normalisation of z) */
     int shift;             /* orthographic: screen = x >> shift */
-    uint32_t depth_scale;  /* perspective: near_z normalised; orthographic: (DEPTH_NEAR - DEPTH_FAR) / (far - near) */
+    uint32_t depth_scale;  /* perspective: the near plane, normalised; orthographic: (DEPTH_NEAR - DEPTH_FAR) / (far -
+                              near) */
     int depth_shift;
 };
 

@@ -65,4 +65,4 @@ static uint32_t draw(struct raster *r, struct edges *e)
     return spans(r, e);
 }
 
-const struct glint_method glint_gouraud = {GLINT_GOURAUD, SHADE_GOURAUD_WORDS, shade_gouraud, draw};
+const struct glint_method glint_gouraud = {GLINT_GOURAUD, 0, SHADE_GOURAUD_WORDS, shade_gouraud, draw};

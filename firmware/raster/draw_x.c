@@ -154,6 +154,8 @@ FX_WRAPS static uint32_t draw(struct raster *r, struct edges *e)
     if (!table || setup->runs_only)
         return raster_runs(r, e, shade_run);
     const uint16_t *colours = table->colour[0];
+    if (!setup->diffuse_lights)
+        setup->channel[0].p = (struct polynomial){0}; /* a highlight alone: the loops below read both */
     /* Rounded to the table's steps: half a step more. N.H counts from the foot of the power. */
     setup->channel[0].p.f += 1u << 23;
     if (setup->specular_lights) {
@@ -166,4 +168,4 @@ FX_WRAPS static uint32_t draw(struct raster *r, struct edges *e)
     return spans_dark(r, e, colours);
 }
 
-const struct glint_method glint_x = {GLINT_X, 0, shade_x, draw};
+const struct glint_method glint_x = {GLINT_X, 1, 0, shade_x, draw};

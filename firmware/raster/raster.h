@@ -19,10 +19,12 @@
 
 /* Colours of one material under one light, RGB565: [highlight step][diffuse step]. Row 0 has no highlight. */
 #define TABLE_DIFFUSE   64
-#define TABLE_HIGHLIGHT 128
+#define TABLE_HIGHLIGHT 129
 struct colour_table {
-    struct surface surface; /* what it was made for */
-    uint16_t ready;
+    uint32_t base[3]; /* what it was made for: see struct surface */
+    uint16_t diffuse[3], specular[3];
+    uint16_t exponent; /* 0: not made */
+    uint16_t reserved;
     uint16_t colour[TABLE_HIGHLIGHT][TABLE_DIFFUSE];
 };
 
@@ -38,7 +40,7 @@ struct raster {
     struct surface surface;
     uint16_t surface_material;                /* which one `surface` holds; 0xffff: none */
     const struct colour_table *surface_table; /* made for `surface`; null: none, or not looked for yet */
-    struct colour_table *table;
+    struct colour_table *table;               /* one for each of the first r->tables materials */
     /* the triangle in hand */
     struct shade_input input;
     union {
@@ -62,6 +64,7 @@ struct triangle_ref;
 /* A method: how a triangle is set up, and its pixels. */
 struct glint_method {
     uint8_t id;           /* enum glint_method_id */
+    uint8_t uses_tables;  /* draws from colour tables where it can */
     uint8_t vertex_words; /* int16_t that it keeps in a vertex record behind the lights; the last is 0 at first */
     void (*setup)(struct shade_setup *setup, const struct shade_input *in);
     /* Draws the set-up triangle over the band; returns the pixels that passed the depth test. */
@@ -87,8 +90,9 @@ static inline int raster_spans(struct raster *r, struct edges *e)
 /* Fills the band with the background and its depth with the far end. */
 void raster_clear(struct raster *r, const struct scene_header *scene);
 
-/* Finds or makes the colour table of the surface in hand, r->surface_table; null if it can have none: another format
- * than 565, dither, not one light, or no room. */
+/* Sets r->surface_table to the colour table of the surface in hand, made anew if it was another's; null if it has none:
+ * another format than 565, dither, not one light, or a material beyond the tables. Table i is material i's, so that a
+ * picture does not depend on what was drawn before. */
 void raster_find_table(struct raster *r);
 
 #endif

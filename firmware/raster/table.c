@@ -8,45 +8,50 @@
  */
 #include "raster/raster.h"
 
-static int same_surface(const struct surface *a, const struct surface *b)
+static int made_for(const struct colour_table *table, const struct surface *s)
 {
-    if (a->power->exponent != b->power->exponent)
-        return 0;
+    int same = table->exponent == s->power->exponent;
     for (int c = 0; c < 3; c++)
-        if (a->base[c] != b->base[c] || a->light[0].diffuse[c] != b->light[0].diffuse[c] ||
-            a->light[0].specular[c] != b->light[0].specular[c])
-            return 0;
-    return 1;
+        same &= table->base[c] == s->base[c] && table->diffuse[c] == s->light[0].diffuse[c] &&
+                table->specular[c] == s->light[0].specular[c];
+    return same;
+}
+
+/* N.L of an entry in Q15; the last stands for all from its lower bound to 1, and takes their middle. */
+static uint32_t diffuse_of(uint32_t i)
+{
+    return i < TABLE_DIFFUSE - 1 ? i << 9 : (i << 9) + (1u << 7);
 }
 
 static void make(struct raster *r, struct colour_table *table)
 {
     const struct surface *s = &r->surface;
-    table->surface = *s;
+    for (int c = 0; c < 3; c++) {
+        table->base[c] = s->base[c];
+        table->diffuse[c] = s->light[0].diffuse[c];
+        table->specular[c] = s->light[0].specular[c];
+    }
+    table->exponent = s->power->exponent;
     for (uint32_t j = 0; j < TABLE_HIGHLIGHT; j++) {
         /* N.H = 1 - 2^-octave (128 - j) / 128 */
         uint32_t power = j ? fx_power(s->power, (q30_t)((1u << 30) - ((128u - j) << (23 - s->power->octave)))) : 0;
         for (uint32_t i = 0; i < TABLE_DIFFUSE; i++) {
             uint32_t sum[3];
             for (int c = 0; c < 3; c++)
-                sum[c] = s->base[c] + surface_diffuse(i << 9, s->light[0].diffuse[c]) +
+                sum[c] = s->base[c] + surface_diffuse(diffuse_of(i), s->light[0].diffuse[c]) +
                          surface_diffuse(power, s->light[0].specular[c]);
             table->colour[j][i] = (uint16_t)raster_colour(r, sum);
         }
     }
-    table->ready = 1;
 }
 
 void raster_find_table(struct raster *r)
 {
-    struct colour_table *table = r->table;
+    struct colour_table *table = r->table + r->surface_material;
     r->surface_table = 0;
-    if (r->format != GLINT_RGB565 || r->dither || r->surface.lights != 1)
+    if (r->surface_material >= r->tables || r->format != GLINT_RGB565 || r->dither || r->surface.lights != 1)
         return;
-    for (unsigned i = 0; i < r->tables && !r->surface_table; i++, table++) {
-        if (!table->ready)
-            make(r, table);
-        if (same_surface(&table->surface, &r->surface))
-            r->surface_table = table;
-    }
+    if (!made_for(table, &r->surface))
+        make(r, table);
+    r->surface_table = table;
 }

@@ -51,7 +51,7 @@ struct scene_mesh {
     q16_t radius;            /* of a sphere about the centre that holds all vertices; 0 < radius < 2^15 units */
 };
 
-#define MATERIAL_FLAT      1u /* its vertices carry face normals: every method draws it in one value a light */
+#define MATERIAL_FLAT      1u /* its vertices carry face normals: one value a directional light, by every method */
 #define MATERIAL_TWO_SIDED 2u /* reserved for two-sided faces: refused for now */
 
 /* Colour at a pixel = diffuse * (ka * ambient + sum kd * light * max(0, N.L))

@@ -44,7 +44,8 @@ static void restrict_to(const uint16_t (*w)[3], int32_t value[3], int32_t bulge[
     }
 }
 
-/* A bend that moves no channel by more than half a step of the output is left out: Q8. */
+/* Bends that together move no channel by more than about half a step of the output are left out: Q8, of all lights; the
+ * diffuse and the specular part count each on its own. */
 #define BEND_STEPS_Q8 128
 
 /* How much the highlight can change, in Q8 steps, when N.H of at most `top` is off by `bend`: the power is convex. */
@@ -80,7 +81,7 @@ static inline __attribute__((always_inline)) int interpolate(struct shade_setup 
     } else {
         error = (s->light[light].diffuse_most * (uint32_t)bend) >> 14;
     }
-    int linear = error < BEND_STEPS_Q8;
+    int linear = error * s->lights < BEND_STEPS_Q8; /* error < 2^17 */
     if (!linear || in->weight) {
         bulges(value, in->triangle, bulge);
         if (in->weight)

@@ -62,7 +62,7 @@ static void choose_uvs(struct state *s)
             double uv = s->mesh->vertices[i].uv[k];
             low[k] = fmin(low[k], uv);
             high[k] = fmax(high[k], uv);
-            s->uvs = isfinite(uv);
+            s->uvs = s->uvs && isfinite(uv);
         }
     for (int k = 0; s->uvs && k < 2; k++) {
         bool fits = low[k] >= -8 && high[k] < 8 - 1. / 8192;
@@ -181,7 +181,7 @@ static void set_radius(struct quantise_part *part)
         const int16_t *p = part->vertices[i].position;
         furthest = fmax(furthest, hypot(hypot(p[0], p[1]), p[2]));
     }
-    part->head.radius = (int32_t)ceil(furthest * part->head.extent / 32768) + 1;
+    part->head.radius = (int32_t)ceil((furthest + 1) * part->head.extent / 32768) + 1;
 }
 
 const char *quantise_mesh(const struct model *model, const struct model_mesh *mesh, int material,

@@ -292,6 +292,49 @@ static void pixels_are_counted_once_each(void **state)
     }
 }
 
+static void more_than_255_bands_are_still_in_turn(void **state)
+{
+    (void)state;
+    struct frame_case whole = {.config = {.width = 9, .height = 300, .format = GLINT_GREY8, .method = &glint_x}};
+    struct frame_case rows = whole;
+    rows.config.band_rows = 1;
+    frame_case_open_for(&whole, sphere.scene);
+    frame_case_open_for(&rows, sphere.scene);
+    frame_case_draw(&whole, sphere.scene, 0);
+    frame_case_draw(&rows, sphere.scene, 0);
+    assert_memory_equal(whole.picture, rows.picture, whole.picture_bytes);
+    frame_case_close(&whole);
+    frame_case_close(&rows);
+}
+
+/* A colour table belongs to what it was made for: another scene in the same place gets its own, and a picture does not
+ * depend on those drawn before. */
+static void a_colour_table_follows_its_scene(void **state)
+{
+    (void)state;
+    struct frame_case f = {
+        .config = {.width = 96, .height = 72, .format = GLINT_RGB565, .method = &glint_x, .tables = 1}};
+    struct frame_case fresh = f;
+    struct pack_result scene[2];
+    struct pack_options options = {.shininess = 22};
+    assert_int_equal(pack_load("tests/scenes/torus288.json", &options, &scene[0]), 0);
+    options.shininess = 46;
+    assert_int_equal(pack_load("tests/scenes/torus288.json", &options, &scene[1]), 0);
+    assert_int_equal(scene[0].size, scene[1].size);
+    frame_case_open_for(&f, scene[0].scene);
+    frame_case_draw(&f, scene[0].scene, 0);
+    void *place = (void *)(uintptr_t)scene[0].scene;
+    memcpy(place, scene[1].scene, scene[1].size);
+    frame_case_draw(&f, place, 0);
+    frame_case_open_for(&fresh, scene[1].scene);
+    frame_case_draw(&fresh, scene[1].scene, 0);
+    assert_memory_equal(f.picture, fresh.picture, f.picture_bytes);
+    frame_case_close(&f);
+    frame_case_close(&fresh);
+    pack_free(&scene[0]);
+    pack_free(&scene[1]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -302,6 +345,8 @@ int main(void)
         cmocka_unit_test(the_plan_leaves_out_only_what_cannot_be_seen),
         cmocka_unit_test(eight_lights_are_the_sum_of_each),
         cmocka_unit_test(pixels_are_counted_once_each),
+        cmocka_unit_test(more_than_255_bands_are_still_in_turn),
+        cmocka_unit_test(a_colour_table_follows_its_scene),
     };
     return cmocka_run_group_tests(tests, load, unload);
 }

@@ -7,6 +7,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 
 #include <cmocka.h>
 #include <string.h>
@@ -364,6 +365,27 @@ static void a_light_moves_as_its_motion_says(void **state)
     }
 }
 
+/* A light's vector may be as long as sqrt(3) times its components' limit, and its key's position comes on top. */
+static void a_light_at_the_end_of_every_range_is_held(void **state)
+{
+    (void)state;
+    struct {
+        struct scene_header head;
+        struct scene_key key;
+    } scene = {.head = {.keys = sizeof(struct scene_header), .key_count = 1}};
+    const int32_t most = (1 << 30) - 1;
+    struct scene_light light = {.kind = LIGHT_POINT, .vector = {most, -most, 0}};
+    light.motion = (struct scene_motion){.kind = MOTION_KEYS, .key_count = 1};
+    /* an eighth of a turn about z: (1, -1) to (sqrt 2, 0) */
+    scene.key = (struct scene_key){.rotation = {992008094, 0, 0, 410903207}, .position = {most, 0, 0}, .scale = 65536};
+    int32_t at[3];
+    light_vector_at(&scene.head, &light, 0, at);
+    assert_int_equal(at[0], INT32_MAX);
+    scene.key.position[0] = -most;
+    light_vector_at(&scene.head, &light, 0, at);
+    assert_true(abs(at[0] - 444758425) < 64 && abs(at[1]) < 64);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -378,6 +400,7 @@ int main(void)
         cmocka_unit_test(between_keys_everything_goes_straight),
         cmocka_unit_test(between_keys_a_rotation_is_a_unit),
         cmocka_unit_test(a_light_moves_as_its_motion_says),
+        cmocka_unit_test(a_light_at_the_end_of_every_range_is_held),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
