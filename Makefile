@@ -41,7 +41,8 @@ GLINT := $(BUILD)/glint
 UNIT_BIN := $(UNIT_SRC:tests/%.c=$(BUILD)/tests/%)
 EXHAUSTIVE_BIN := $(EXHAUSTIVE_SRC:tests/%.c=$(BUILD)/tests/%)
 
-all: ## Build the command line tool, build/glint
+# `make deps-demo all` installs first, also with -j.
+all: | $(filter deps-demo,$(MAKECMDGOALS)) ## Build the command line tool, build/glint
 	$(Q)DEPS=manual tests/tools/deps.sh demo || { echo "'make demo' installs them itself" >&2; exit 1; }
 	$(Q)$(MAKE) --no-print-directory tool
 
@@ -70,7 +71,7 @@ test-golden: deps-test ## The one list of picture hashes: every compiler, level 
 test-device: deps-test ## The same list on emulated Cortex-M0, M0+, M3 and M4
 	$(Q)tests/tools/run.sh device
 
-test-sanitize: deps-test ## Unit and command line tests under address and undefined-behaviour sanitizers
+test-sanitize: deps-test ## Unit tests, command line and hashes under clang's sanitizers; firmware/ and hal/ under integer too
 	$(Q)tests/tools/run.sh sanitize
 
 test-exhaustive: deps-test ## Whole domains of the fixed-point functions (minutes)
@@ -79,8 +80,9 @@ test-exhaustive: deps-test ## Whole domains of the fixed-point functions (minute
 bench: deps-test ## Instructions a frame on Cortex-M0+, M3, M4 and the host; writes build/bench/bench.csv
 	$(Q)$(MAKE) --no-print-directory bench-table
 
-figures: bench all ## Write the README's tables of quality and cost anew
-	$(Q)tests/tools/figures.sh $(BUILD)/glint $(BUILD)/bench/bench.csv README.md
+figures: deps-test ## Write the README's figures of quality and cost anew
+	$(Q)$(MAKE) --no-print-directory bench-table tool
+	$(Q)tests/tools/figures.sh $(GLINT) $(BUILD)/bench/bench.csv README.md
 
 profile: deps-test ## Instructions by function: CPU=m4 RENDER="bench-torus288 x" [BANDS=8] [FIRST=1]
 	$(Q)$(MAKE) --no-print-directory profile-run
@@ -105,6 +107,8 @@ check-format: ## Fail if clang-format would change a source
 
 deps: deps-test ## Install what building and testing need (DEPS=manual only prints the command)
 
+deps-demo: ## Install what building the tool needs: `make deps-demo all` in a CI job
+
 deps-demo deps-test:
 	$(Q)tests/tools/deps.sh $(@:deps-%=%)
 
@@ -121,10 +125,11 @@ $(CORE_OBJ): $(BUILD)/obj/%.o: %.c
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CORE_FLAGS) $(OPT) -g $(CFLAGS) $(CORE_CFLAGS) -MMD -MP -c $< -o $@
 
+$(filter $(BUILD)/obj/hal/%,$(HOST_OBJ)): HAL_CFLAGS = $(CORE_CFLAGS)
 $(HOST_OBJ): $(BUILD)/obj/%.o: %.c
 	$(call say,CC,$<)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(HOST_FLAGS) $(PACKAGE_FLAGS) $(OPT) -g $(CFLAGS) -MMD -MP -c $< -o $@
+	$(Q)$(CC) $(HOST_FLAGS) $(PACKAGE_FLAGS) $(OPT) -g $(CFLAGS) $(HAL_CFLAGS) -MMD -MP -c $< -o $@
 
 $(CORE_LIB): $(CORE_OBJ)
 $(HOST_LIB): $(filter-out %/main.o,$(HOST_OBJ))

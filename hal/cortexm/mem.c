@@ -18,7 +18,9 @@ static int mem_aligned(const void *a, const void *b)
     return (((uintptr_t)a | (uintptr_t)b) & 3) == 0;
 }
 
-void *memcpy(void *restrict to, const void *restrict from, size_t size)
+/* Upwards, so also for overlapping memory whose target lies below: a whole number of words below where both ends are
+ * aligned. */
+static void *mem_forward(void *to, const void *from, size_t size)
 {
     unsigned char *d = to;
     const unsigned char *s = from;
@@ -31,12 +33,17 @@ void *memcpy(void *restrict to, const void *restrict from, size_t size)
     return to;
 }
 
+void *memcpy(void *restrict to, const void *restrict from, size_t size)
+{
+    return mem_forward(to, from, size);
+}
+
 void *memmove(void *to, const void *from, size_t size)
 {
     unsigned char *d = to;
     const unsigned char *s = from;
     if ((uintptr_t)d - (uintptr_t)s >= size)
-        return memcpy(to, from, size);
+        return mem_forward(to, from, size);
     while (size--)
         d[size] = s[size];
     return to;

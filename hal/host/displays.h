@@ -27,7 +27,7 @@ struct host_display {
     uint32_t count;  /* pictures done */
     uint8_t *pixels; /* a row, or for y4m_display a picture, of 8-bit samples */
     struct png_coder *coder;
-    struct host_display *picture; /* folder_display: the one being written */
+    struct folder *folder; /* folder_display */
 };
 
 extern const struct hal_display_ops

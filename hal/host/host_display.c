@@ -12,7 +12,7 @@ int host_display_prepare(struct host_display *host, uint16_t width, uint16_t hei
         return HAL_E_ARGUMENT;
     host->sink = (struct sink){0};
     host->coder = NULL;
-    host->picture = NULL;
+    host->folder = NULL;
     host->width = width;
     host->height = height;
     host->format = format;

@@ -8,25 +8,27 @@
 
 #include "compare/image.h"
 
-#include <stdbool.h>
-
 struct compare_result {
     size_t pixels;  /* compared */
     double psnr_db; /* 20 log10(255 / rms); infinite for equal pictures */
     double rms;     /* over pixels and channels */
     double max;     /* largest difference of any channel */
-    double p999;    /* of 1000 pixels, 999 differ by no more than this in any channel (nearest rank) */
+    double p999;    /* of 1000 pixels, 999 differ by no more than this in any channel: nearest rank, rounded up to a
+                     * whole number */
 };
 
-/* Values of `channels` a pixel, 0..255, not rounded; pixels whose mask is 0 are left out. False: out of memory. */
-bool compare_values(const double *a, const double *b, const uint8_t *mask, size_t pixels, unsigned channels,
+#define COMPARE_CHANNELS 3
+
+/* Values of `channels` (1..COMPARE_CHANNELS) a pixel, 0..255, not rounded; pixels whose mask is 0 are left out. */
+void compare_values(const double *a, const double *b, const uint8_t *mask, size_t pixels, unsigned channels,
                     struct compare_result *result);
 
 /* The colour that most corners of a picture have: its background, unless the scene fills it. */
 void compare_background(const struct image *image, uint8_t rgb[3]);
 
-/* Two pictures of one size. `background` null: each has its own, compare_background(). False: out of memory. */
-bool compare_images(const struct image *a, const struct image *b, const uint8_t background[3],
+/* Two pictures of one size. `background` null: each has its own, compare_background(); if then nothing is covered and
+ * the two differ, every pixel counts. */
+void compare_images(const struct image *a, const struct image *b, const uint8_t background[3],
                     struct compare_result *result);
 
 /* rgb = 128 + 8 (b - a) a channel, clamped: grey where they agree, black or white from 16 on. */

@@ -89,9 +89,9 @@ static void cli_note_signal(int number)
 
 void cli_catch_signals(void)
 {
-    static const int numbers[] = {SIGINT, SIGTERM};
+    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
     struct sigaction note = {.sa_handler = cli_note_signal}, old; /* without SA_RESTART: a write to a full pipe ends */
-    for (int i = 0; i < 2; i++)
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
         if (sigaction(numbers[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN) /* nohup and its like */
             sigaction(numbers[i], &note, NULL);
 }

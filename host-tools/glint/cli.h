@@ -27,8 +27,9 @@ int cli_choice(const char *text, const char *const names[], int count);
 extern const char *const cli_formats[];
 extern const char *const cli_methods[];
 
-/* From now on SIGINT and SIGTERM only set what cli_interrupted() returns, the signal's number, so that work under way
- * can take back what it has written. */
+/* From now on SIGINT, SIGTERM, SIGHUP and SIGQUIT only set what cli_interrupted() returns, the signal's number, so that
+ * work under way can take back what it has written. To be called before a file is opened for writing, and not long
+ * before: until then a signal ends the program at once. */
 void cli_catch_signals(void);
 int cli_interrupted(void);
 

@@ -102,7 +102,7 @@ static bool demo_measure(struct demo *demo, uint32_t frame)
             size_t row = i / (3 * demo->panel_width), column = i % (3 * demo->panel_width);
             panel[i] = demo->picture[3 * (row * demo->width + demo_left(demo, p)) + column];
         }
-        done = compare_values(panel, truth.value, truth.covered, pixels, 3, &result);
+        compare_values(panel, truth.value, truth.covered, pixels, 3, &result);
         demo->psnr_db[p] = result.psnr_db;
     }
     free(panel);
@@ -114,7 +114,6 @@ static int demo_frames(struct demo *demo)
 {
     struct progress progress;
     int code = CLI_DONE;
-    cli_catch_signals();
     progress_begin(&progress, false);
     for (uint32_t i = 0; !code && i < demo->frames; i++) {
         uint32_t delay = demo_moment(demo, i + 1) - demo_moment(demo, i);
@@ -201,11 +200,13 @@ static int demo_run(struct demo *demo, const char *folder, unsigned height)
         code = demo_open(demo, with_slash, animation);
     if (!code)
         code = demo_frames(demo);
-    int closed = output_close(&demo->animation, !code);
-    code = code ? code : closed;
-    closed = output_close(&demo->folder, !code);
-    code = code ? code : closed;
+    /* kept, the folder comes first, so that both stay out if it cannot be; discarded, it comes last, empty by then */
     if (!code)
+        code = output_close(&demo->folder, true);
+    int closed = output_close(&demo->animation, !code);
+    output_close(&demo->folder, false);
+    code = code ? code : closed;
+    if (!code && !cli_interrupted())
         demo_report(demo);
     for (int p = 0; p < DEMO_PANELS; p++)
         renderer_close(&demo->renderer[p]);

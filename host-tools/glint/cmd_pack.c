@@ -3,7 +3,6 @@
 #include "glint/commands.h"
 #include "pack/report.h"
 
-#include <ctype.h>
 #include <getopt.h>
 #include <string.h>
 #include <strings.h>
@@ -28,14 +27,6 @@ struct pack_arguments {
 
 static const char *const pack_formats[] = {"glt", "c"};
 enum { PACK_GLT, PACK_C };
-
-static bool pack_is_identifier(const char *name)
-{
-    bool ok = isalpha((unsigned char)name[0]) || name[0] == '_';
-    for (; ok && *name; name++)
-        ok = isalnum((unsigned char)*name) || *name == '_';
-    return ok;
-}
 
 static bool pack_ends_with(const char *path, const char *ending)
 {
@@ -62,8 +53,8 @@ static int pack_parse(int argc, char **argv, struct pack_arguments *a)
                 return cli_usage(pack_command, "--output-format is glt or c, not '%s'", optarg);
             break;
         case 'n':
-            if (!pack_is_identifier(optarg))
-                return cli_usage(pack_command, "--name is a C identifier, not '%s'", optarg);
+            if (!pack_is_name(optarg))
+                return cli_usage(pack_command, "--name is a C identifier that is not taken, not '%s'", optarg);
             a->name = optarg;
             break;
         case 's':
@@ -103,6 +94,8 @@ int cmd_pack(int argc, char **argv)
     code = pack_load(argv[optind], &a.options, &result);
     if (code)
         return code;
+    if (a.output)
+        cli_catch_signals();
     if (a.output && a.format == PACK_C) {
         pack_name(a.output, name, sizeof name);
         code = pack_write_c(a.output, a.name ? a.name : name, &result);

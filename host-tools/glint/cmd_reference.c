@@ -113,10 +113,9 @@ static int reference_write(const struct reference_image *image, struct output *o
                            image->channels == 1 ? HAL_GREY8 : HAL_RGB888, 1, 1);
     if (!code)
         code = output_picture(output, 0, 0, bytes, image->width * image->channels);
-    if (!code)
-        code = output_close(output, true);
+    int closed = output_close(output, !code);
     free(bytes);
-    return code;
+    return code ? code : closed;
 }
 
 int cmd_reference(int argc, char **argv)

@@ -203,7 +203,7 @@ static void render_defaults(struct render *render, const struct scene_header *sc
     }
     bool whole = render->band_rows == 0 || render->band_rows > config->height;
     config->band_rows = whole ? config->height : (uint16_t)render->band_rows;
-    if (render->frames == 0 && render->path && output_animates(&render->output))
+    if (render->frames == 0 && render->path && render->output.animates)
         render->frames = (uint32_t)(((uint64_t)scene->duration_ms * render->rate + 500) / 1000);
     if (render->frames == 0)
         render->frames = 1;
@@ -244,7 +244,6 @@ static int render_frames(struct render *render)
     if (!code && render->path)
         code = output_open(&render->output, config->width, config->height, (enum hal_pixel_format)config->format,
                            render->frames, render->rate);
-    cli_catch_signals();
     progress_begin(&progress, render->progress);
     for (uint32_t i = 0; !code && i < render->frames; i++) {
         code = cli_interrupted() ? CLI_IO : render_frame(render, i);

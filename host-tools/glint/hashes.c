@@ -8,15 +8,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define HASHES_MAX 1000000u
+#define HASHES_MAX   1000000u
+#define HASHES_BLANK " \t\r\n"
 
 static int hashes_add(struct hashes *hashes, uint32_t hash, unsigned line)
 {
     if ((hashes->count & (hashes->count - 1)) == 0) { /* full at each power of two */
         size_t room = hashes->count ? 2 * hashes->count : 1;
         struct hashes_entry *entry = realloc(hashes->entry, room * sizeof *entry);
-        if (!entry)
+        if (!entry) {
+            fprintf(stderr, "%s: out of memory\n", hashes->path);
             return CLI_IO;
+        }
         hashes->entry = entry;
     }
     hashes->entry[hashes->count++] = (struct hashes_entry){hash, line};
@@ -26,25 +29,28 @@ static int hashes_add(struct hashes *hashes, uint32_t hash, unsigned line)
 /* One line of the list, its comment cut off. */
 static int hashes_parse(struct hashes *hashes, const char *text, unsigned line)
 {
-    unsigned index, hash;
-    int length = 0, digits = 0;
-    if (text[strspn(text, " \t\r\n")] == 0)
+    const char *number = text + strspn(text, HASHES_BLANK);
+    size_t length = strspn(number, "0123456789");
+    const char *digits = number + length + strspn(number + length, HASHES_BLANK);
+    if (!*number)
         return CLI_DONE;
-    if (sscanf(text, "%9u %n%8x%n", &index, &digits, &hash, &length) != 2 || length - digits != 8 ||
-        text[length + strspn(text + length, " \t\r\n")]) {
+    if (length < 1 || length > 9 || digits == number + length || strspn(digits, "0123456789abcdefABCDEF") != 8 ||
+        digits[8 + strspn(digits + 8, HASHES_BLANK)]) {
         fprintf(stderr, "%s:%u: not '<index> <hash of 8 hexadecimal digits>'\n", hashes->path, line);
         return CLI_BAD_DATA;
     }
+    unsigned long index = strtoul(number, NULL, 10);
     if (index != hashes->count || index >= HASHES_MAX) {
-        fprintf(stderr, "%s:%u: frame %u where frame %zu was to come\n", hashes->path, line, index, hashes->count);
+        fprintf(stderr, "%s:%u: frame %lu where frame %zu was to come\n", hashes->path, line, index, hashes->count);
         return CLI_BAD_DATA;
     }
-    return hashes_add(hashes, hash, line);
+    return hashes_add(hashes, (uint32_t)strtoul(digits, NULL, 16), line);
 }
 
 int hashes_read(const char *path, struct hashes *hashes)
 {
-    char text[256];
+    char *text = NULL;
+    size_t room = 0;
     int code = CLI_DONE;
     *hashes = (struct hashes){.path = path};
     FILE *file = fopen(path, "r");
@@ -52,7 +58,7 @@ int hashes_read(const char *path, struct hashes *hashes)
         fprintf(stderr, "%s: %s\n", path, strerror(errno));
         return CLI_IO;
     }
-    for (unsigned line = 1; !code && fgets(text, sizeof text, file); line++) {
+    for (unsigned line = 1; !code && getline(&text, &room, file) >= 0; line++) {
         text[strcspn(text, "#")] = 0;
         code = hashes_parse(hashes, text, line);
     }
@@ -60,6 +66,7 @@ int hashes_read(const char *path, struct hashes *hashes)
         fprintf(stderr, "%s: %s\n", path, strerror(errno));
         code = CLI_IO;
     }
+    free(text);
     fclose(file);
     if (code)
         hashes_free(hashes);

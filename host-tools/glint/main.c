@@ -52,8 +52,9 @@ static int main_run(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
-    /* a reader that leaves shows as EPIPE where we write, and is reported */
+    /* a reader that leaves or a limit on file size shows as an error where we write, and is reported */
     signal(SIGPIPE, SIG_IGN);
+    signal(SIGXFSZ, SIG_IGN);
     int code = main_run(argc, argv);
     if (cli_interrupted()) { /* the caller sees by what */
         signal(cli_interrupted(), SIG_DFL);

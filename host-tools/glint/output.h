@@ -9,6 +9,7 @@
 
 struct output {
     struct host_display host;
+    bool animates; /* it shows time, so that an animation is meant */
     bool open;
 };
 
@@ -22,19 +23,17 @@ struct output {
  */
 int output_choose(struct output *output, const char *command, const char *path, const char *format);
 
-/* Whether it shows time, so that an animation is meant. */
-bool output_animates(const struct output *output);
-
+/* From here on signals are caught (cli.h), so that close can take back what was written. */
 int output_open(struct output *output, uint16_t width, uint16_t height, enum hal_pixel_format format, uint32_t frames,
                 uint32_t rate);
 
-/* A step of hal/display.h; `result` is what it returned. After an error the output is closed and nothing is left. */
+/* A step of hal/display.h; `result` is what it returned. After an error only output_close(keep = false) is left. */
 int output_step(struct output *output, int result);
 
 /* A whole picture at once. */
 int output_picture(struct output *output, uint32_t index, uint32_t delay_ms, const void *pixels, uint32_t stride);
 
-/* Harmless when not open. */
+/* Nothing is kept after a signal. Harmless when not open. */
 int output_close(struct output *output, bool keep);
 
 #endif

@@ -6,6 +6,7 @@
 #include "import/import.h"
 
 #include "import/importer.h"
+#include "import/limits.h"
 #include "import/normals.h"
 
 #include <errno.h>
@@ -15,16 +16,14 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#define MOST_MEMORY (4ul << 30)
-
 struct reply {
     char said[256]; /* the reason, or a warning */
-    bool failed, has_normals, has_uvs;
+    bool failed, has_uvs;
+    enum model_normals normals;
     size_t materials, vertices, triangles;
 };
 
@@ -49,47 +48,35 @@ static int fail(const char *path, const char *reason, int code)
 int import_check_readable(const char *path)
 {
     struct stat status;
+    if (stat(path, &status) != 0)
+        return fail(path, strerror(errno), 3);
+    if (!S_ISREG(status.st_mode)) /* before opening, which would wait for a pipe's other end */
+        return fail(path, S_ISDIR(status.st_mode) ? strerror(EISDIR) : "not a regular file", 3);
     FILE *file = fopen(path, "rb");
     if (!file)
         return fail(path, strerror(errno), 3);
-    bool regular = fstat(fileno(file), &status) == 0 && S_ISREG(status.st_mode);
     fclose(file);
-    if (regular)
-        return 0;
-    return fail(path, S_ISDIR(status.st_mode) ? strerror(EISDIR) : "not a regular file", 3);
+    return 0;
 }
 
-/* Processor time grows with the file; sanitizers map far more memory than they use. */
-static void set_limits(const char *path)
+static void send_model(FILE *out, const char *path, double crease)
 {
-    struct stat status;
-    rlim_t seconds = 5 + (stat(path, &status) == 0 ? (rlim_t)status.st_size >> 20 : 0) * 3;
-    setrlimit(RLIMIT_CPU, &(struct rlimit){seconds, seconds});
-    setrlimit(RLIMIT_CORE, &(struct rlimit){0, 0});
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define SANITIZED 1
-#endif
-#endif
-#if !defined(SANITIZED) && !defined(__SANITIZE_ADDRESS__)
-    setrlimit(RLIMIT_AS, &(struct rlimit){MOST_MEMORY, MOST_MEMORY});
-#endif
-}
-
-static void send_model(FILE *out, const char *path)
-{
+    bool has_normals = false;
     struct reply reply = {0};
     struct model model = {0};
     model_add_mesh(&model, "");
-    const char *reason = importer_read(path, &model, 0, &reply.has_normals, reply.said, sizeof reply.said);
-    const struct model_mesh *mesh = &model.meshes[0];
+    const char *reason = importer_read(path, &model, 0, &has_normals, reply.said, sizeof reply.said);
+    struct model_mesh *mesh = &model.meshes[0];
     if (!reason && mesh->triangle_count == 0)
         reason = "has no triangles";
     if (!reason && mesh->triangle_count > UINT32_MAX / 3)
         reason = "has too many triangles";
     if (reason && reason != reply.said)
         snprintf(reply.said, sizeof reply.said, "%s", reason);
+    if (!reason && (!has_normals || ends_with(path, ".stl")))
+        normals_smooth(mesh, crease);
     reply.failed = reason != NULL;
+    reply.normals = mesh->normals;
     reply.has_uvs = mesh->has_uvs;
     reply.materials = model.material_count;
     reply.vertices = mesh->vertex_count;
@@ -135,6 +122,7 @@ static bool receive(FILE *in, struct reply *reply, struct model *model, size_t i
     mesh->vertex_count = mesh->vertex_room = reply->vertices;
     mesh->triangle_count = mesh->triangle_room = reply->triangles;
     mesh->has_uvs = reply->has_uvs;
+    mesh->normals = reply->normals;
     if (fread(mesh->vertices, sizeof *mesh->vertices, reply->vertices, in) != reply->vertices ||
         fread(mesh->triangles, sizeof *mesh->triangles, reply->triangles, in) != reply->triangles)
         return false;
@@ -144,7 +132,7 @@ static bool receive(FILE *in, struct reply *reply, struct model *model, size_t i
 }
 
 /* The importing process, and the pipe from it; null if there can be none. */
-static FILE *start(const char *path, pid_t *child)
+static FILE *start(const char *path, double crease, pid_t *child)
 {
     int ends[2];
     if (pipe(ends) != 0)
@@ -153,12 +141,13 @@ static FILE *start(const char *path, pid_t *child)
     *child = fork();
     if (*child == 0) {
         close(ends[0]);
-        if (!freopen("/dev/null", "w", stderr)) /* its last words before a crash are not ours */
+        /* its last words before a crash are not ours, unless a sanitizer says them */
+        if (!LIMITS_SANITIZED && !freopen("/dev/null", "w", stderr))
             _exit(1);
-        set_limits(path);
+        limits_set(path);
         FILE *out = fdopen(ends[1], "wb");
         if (out) {
-            send_model(out, path);
+            send_model(out, path, crease);
             fclose(out);
         }
         _exit(0);
@@ -175,7 +164,7 @@ int import_file(const char *path, double crease, struct model *model, size_t mes
     struct reply reply;
     pid_t child;
     int code = import_check_readable(path);
-    FILE *in = code ? NULL : start(path, &child);
+    FILE *in = code ? NULL : start(path, crease, &child);
     if (code)
         return code;
     if (!in)
@@ -185,8 +174,11 @@ int import_file(const char *path, double crease, struct model *model, size_t mes
     fclose(in);
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
-    if (WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL))
+    const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    if (signal == SIGXCPU || signal == SIGKILL || signal == SIGALRM)
         return fail(path, "malformed: the importer finds no end of it", 1);
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 3) /* of model_alloc() */
+        return fail(path, "too large: the importer has not enough memory for it", 1);
     if (!whole)
         return fail(path, "malformed: the importer breaks down over it", 1);
     reply.said[sizeof reply.said - 1] = 0;
@@ -194,8 +186,6 @@ int import_file(const char *path, double crease, struct model *model, size_t mes
         return fail(path, reply.said, 1);
     if (reply.said[0])
         fprintf(stderr, "%s: warning: %s\n", path, reply.said);
-    if (!reply.has_normals || ends_with(path, ".stl"))
-        normals_smooth(&model->meshes[mesh], crease);
     return 0;
 }
 

@@ -45,7 +45,10 @@ void pack_free(struct pack_result *result);
 int pack_write_blob(const char *path, const struct pack_result *result);
 int pack_write_c(const char *path, const char *name, const struct pack_result *result);
 
-/* Fills name[size] with the C identifier that the last part of `path`, less its ending, suggests. */
+/* Whether the array can have this name: a C identifier that is not a keyword, nor otherwise taken. */
+bool pack_is_name(const char *name);
+
+/* Fills name[size] with such a name, as the last part of `path`, less its ending, suggests: scene_int from int.c. */
 void pack_name(const char *path, char *name, size_t size);
 
 #endif

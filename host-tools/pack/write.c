@@ -53,13 +53,43 @@ int pack_write_c(const char *path, const char *name, const struct pack_result *r
     return finish(&sink, path, ferror(sink.stream));
 }
 
-void pack_name(const char *path, char *name, size_t size)
+/* C11's and C23's keywords, those of GNU C, and what else a file that includes stdint.h cannot define. */
+static bool is_taken(const char *name)
+{
+    static const char words[] =
+        " alignas alignof asm auto bool break case char const constexpr continue default do double else enum extern "
+        "false float for goto if inline int long main nullptr register restrict return short signed sizeof static "
+        "static_assert struct switch thread_local true typedef typeof typeof_unqual union unsigned void volatile while "
+        "_Alignas _Alignof _Atomic _BitInt _Bool _Complex _Decimal128 _Decimal32 _Decimal64 _Generic _Imaginary "
+        "_Noreturn _Static_assert _Thread_local linux unix "
+        "int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t intptr_t uintptr_t intmax_t uintmax_t ";
+    const size_t length = strlen(name);
+    const char *at = words;
+    while (length && (at = strstr(at, name)) && !(at[-1] == ' ' && at[length] == ' '))
+        at++;
+    return length && at;
+}
+
+bool pack_is_name(const char *name)
+{
+    bool ok = (isalpha((unsigned char)*name) || *name == '_') && !is_taken(name);
+    for (; ok && *name; name++)
+        ok = isalnum((unsigned char)*name) || *name == '_';
+    return ok;
+}
+
+static void spell(const char *prefix, const char *path, char *name, size_t size)
 {
     const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path, *dot = strrchr(base, '.');
-    size_t length = dot && dot > base ? (size_t)(dot - base) : strlen(base), used = 0;
-    if (size > 1 && isdigit((unsigned char)base[0]))
-        name[used++] = '_';
-    for (size_t i = 0; i < length && used + 1 < size; i++)
-        name[used++] = isalnum((unsigned char)base[i]) ? base[i] : '_';
-    name[used] = 0;
+    const size_t length = dot && dot > base ? (size_t)(dot - base) : strlen(base);
+    snprintf(name, size, "%s%s%.*s", prefix, isdigit((unsigned char)*base) ? "_" : "", (int)length, base);
+    for (; *name; name++)
+        *name = isalnum((unsigned char)*name) ? *name : '_';
+}
+
+void pack_name(const char *path, char *name, size_t size)
+{
+    spell("", path, name, size);
+    if (!pack_is_name(name))
+        spell("scene_", path, name, size);
 }

@@ -36,7 +36,10 @@ int reader_material(const struct node *owner, const struct model *model)
 {
     struct node node = node_member(owner, "material");
     const char *name = node_string(&node, "");
-    int index = model_find_material(model, name);
+    int index = node.value ? model_find_material(model, name) : -1;
+    /* the scene's own come first; those of shapes and model files, which follow, have no name in it */
+    if (index >= (int)json_object_size(json_object_get(owner->file->root, "materials")))
+        index = -1;
     if (node.value && index < 0)
         node_fail(&node, "no material named \"%s\"", name);
     return index;

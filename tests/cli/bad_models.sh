@@ -83,6 +83,25 @@ for ending in obj ply stl gltf glb json glt; do
     bad program.$ending
 done
 
+# not files
+fresh
+for ending in obj ply stl gltf glb json glt; do
+    mkfifo "pipe.$ending"
+    run "a pipe ending in $ending is refused" 3 timeout 10 "$glint" pack "pipe.$ending" -o out.glt
+    matches 'and called so' "$top/err" "^pipe.$ending: not a regular file"
+done
+echo '{"camera": {"focal": 9, "near": 1, "far": 2}, "meshes": {"m": {"file": "pipe.obj"}}}' >scene.json
+run 'nor can a scene name one' 3 timeout 10 "$glint" pack scene.json -o out.glt
+matches 'and it is the pipe that is named' "$top/err" '^pipe.obj: not a regular file'
+
+# many triangles around one vertex: their normals are made within the importer's limits
+awk 'BEGIN {
+    for (n = 100000; i < n; i++) print "v", cos(6.2831853 * i / n), sin(6.2831853 * i / n), sin(i * i) / 3
+    print "v 0 0 1"
+    for (i = 1; i <= n; i++) print "f", n + 1, i, i % n + 1
+}' >fan.obj
+run 'a fan of 100000 triangles packs' 0 "$glint" pack fan.obj -o fan.glt
+
 # blobs
 fresh
 run 'a scene packs' 0 "$glint" pack "$scenes/tiny.json" -o whole.glt
@@ -100,7 +119,10 @@ run 'a missing scene is reported' 3 "$glint" pack no.json -o out.glt
 run 'a folder is no scene' 3 "$glint" pack "$scenes" -o out.glt
 run 'an ending that says nothing is asked about' 2 "$glint" pack "$scenes/tiny.json" -o out.png
 run 'a name that C has not is refused' 2 "$glint" pack "$scenes/tiny.json" -o out.c --name 3d
+run 'nor one that it keeps for itself' 2 "$glint" pack "$scenes/tiny.json" -o out.c --name int
 run 'info wants one file' 2 "$glint" info
 run 'packed C compiles by itself' 0 sh -c "'$glint' pack '$scenes/tiny.json' -o tiny.c >/dev/null &&
     ${CC:-cc} -std=c11 -ffreestanding -pedantic -Wall -Wextra -Wmissing-declarations -Werror -c tiny.c -o tiny.o"
+run 'under the name of a keyword too' 0 sh -c "'$glint' pack '$scenes/tiny.json' -o int.c >/dev/null &&
+    ${CC:-cc} -std=c11 -pedantic -Wall -Wextra -Wmissing-declarations -Werror -c int.c -o int.o"
 finish

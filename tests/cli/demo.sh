@@ -44,8 +44,13 @@ printf 'v 0 0 0\n' >bad.obj
 run 'nor does a bad one' 1 "$glint" demo bad.obj out
 : >file
 run 'a file is no folder for a demo' 3 "$glint" demo "$demo" file --frames 2
-run 'a demo reports a file size limit' 3 bash -c \
-    "trap '' XFSZ; mkdir out; ulimit -f 20; '$glint' demo '$demo' out --frames 2; code=\$?; rmdir out && exit \$code"
+run 'a demo reports a file size limit' 3 bash -c "ulimit -f 20; exec '$glint' demo '$demo' out --frames 2"
+mkdir -p out/frame-0001.png
+echo old | tee out/demo.png >out/frame-0000.png
+run 'and a picture that cannot get its name' 3 "$glint" demo "$demo" out --frames 2
+same 'without an animation of its own' out/demo.png <(echo old)
+if [ "$(ls -A out | tr '\n' ' ')" = 'demo.png frame-0000.png frame-0001.png ' ]; then say ok 'or other traces'
+else say FAIL 'or other traces' "$(ls -A out)"; fi
 
 # A panel of strips: more vertices than a frame's 16-bit indices reach.
 fresh

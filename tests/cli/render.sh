@@ -47,7 +47,15 @@ run 'more frames than expected fail' 1 expect 4 list
 matches 'naming the first one' "$top/err" 'frame 3 '
 run 'fewer frames than expected fail' 1 expect 2 list
 matches 'naming the first one missing' "$top/err" 'frame 2 '
-for line in '0 1234567' '0 123456789' '0 xyzxyzxy' '1 12345678' 'x' '0 12345678 9' '0'; do
+{
+    printf '# %400s\n' ''
+    sed "s/\$/$(printf '%300s # %300s' '' '')/" list
+} >wide
+run 'a line may be long' 0 expect 3 wide
+printf '%300s0 12345678 9\n' '' >bad
+run 'but not hold more than a frame' 1 expect 1 bad
+for line in '0 1234567' '0 123456789' '0 xyzxyzxy' '1 12345678' 'x' '0 12345678 9' '0' '0 0x123456' '+0 12345678' \
+    '012345678' '1234567890 12345678'; do
     echo "$line" >bad
     run "'$line' is no list of hashes" 1 expect 1 bad
     matches 'and its line is named' "$top/err" '^bad:1: '
@@ -60,6 +68,12 @@ matches 'which is an animated PNG' a.png 'acTL'
 run 'one loop is the default for .apng' 0 "$glint" render "$demo" --size 8x8 --fps 5 -o loop.apng
 count=$(grep -ao fcTL loop.apng | wc -l)
 if [ "$count" -eq 20 ]; then say ok 'of 4 s at 5 frames a second'; else say FAIL 'of 4 s at 5 frames a second' "$count frames"; fi
+run 'or of a format that animates' 0 sh -c \
+    "'$glint' render '$demo' --size 8x8 --fps 5 -o - --output-format apng >piped.png"
+same 'the same' piped.png loop.apng
+run 'a format that does not is one picture' 0 "$glint" render "$demo" --size 8x8 --fps 5 -o one.apng --output-format ppm
+size=$(stat -c %s one.apng)
+if [ "$size" -eq $((8 * 8 * 3 + 11)) ]; then say ok 'whatever the name'; else say FAIL 'whatever the name' "$size bytes"; fi
 run 'a folder gets numbered pictures' 0 "$glint" render "$demo" --size 40x40 --frames 3 --fps 10 -o out/
 run 'a moment is a frame' 0 "$glint" render "$demo" --size 40x40 --time 200 -o moment.png
 same 'the same that the animation has then' moment.png out/frame-0002.png

@@ -4,7 +4,7 @@ LEVELS := O0 O2 Os
 MATRIX := $(foreach c,gcc clang,$(foreach l,$(LEVELS),$(c)-$(l)))
 SANITIZE := -fsanitize=address,undefined,implicit-conversion,float-cast-overflow -fno-sanitize-recover=all \
 	-fno-omit-frame-pointer
-# Unsigned wrap too in the renderer, where what is meant modulo 2^32 is marked FX_WRAPS.
+# Unsigned wrap too in the renderer and hal/, where what is meant modulo 2^32 is marked FX_WRAPS.
 SANITIZE_CORE := -fsanitize=integer -fno-sanitize-recover=all
 BENCH_ELF := $(foreach c,$(CPUS),$(BUILD)/$(c)/bench.elf)
 GOLDEN_LIST := tests/golden/hashes.txt
@@ -43,7 +43,7 @@ suite-device: $(foreach c,$(CPUS),$(BUILD)/$(c)/golden.elf) $(BUILD)/m0/golden.e
 	$(foreach c,$(CPUS),tests/tools/check_golden.sh "$(subst -mcpu=,,$(CPU_$(c))) on $(subst -M ,,$(QEMU_$(c)))" all \
 		$(call QEMU,$(c)) -kernel $(BUILD)/$(c)/golden.elf || status=1;) exit $$status
 
-suite-docs: $(CORE_LIB) $(SCENE_C)
+suite-docs: $(CORE_LIB) $(SCENE_C) $(BENCH_ELF)
 	@CC="$(CC)" tests/tools/readme_example.sh $(CORE_LIB) $(SCENE_DIR)
 
 suite-sanitize: $(SCENE_C)

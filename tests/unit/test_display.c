@@ -310,9 +310,36 @@ static void what_is_discarded_leaves_nothing(void **state)
                 assert_int_equal(all[i]->frame_end(&host.display), 0);
         }
         all[i]->close(&host.display, 0);
-        if (all[i] == &folder_display)
-            assert_int_equal(rmdir("out"), 0); /* which says that it is empty */
         assert_int_equal(files_here(), 0);
+    }
+}
+
+/* Pictures of an older run, or a folder in the place of one, are none of a failed run's business. */
+static void a_failed_run_leaves_older_pictures_in_their_folder(void **state)
+{
+    static const uint8_t older[2] = {10, 20}, newer[2] = {30, 40};
+    struct host_display host = {.display.ops = &folder_display, .path = "out"};
+    struct hal_display *display = &host.display;
+    struct image image;
+    (void)state;
+    show(&host, 1, 1, HAL_GREY8, older, 1, 1, 2, 1);
+    for (int keep = 0; keep < 2; keep++) { /* discarded; then kept, but there is no room for the second */
+        if (keep)
+            assert_true(unlink("out/frame-0001.png") == 0 && mkdir("out/frame-0001.png", 0777) == 0);
+        assert_int_equal(folder_display.open(display, 1, 1, HAL_GREY8), 0);
+        for (uint32_t i = 0; i < 2; i++) {
+            assert_int_equal(folder_display.frame_begin(display, i, 1), 0);
+            assert_int_equal(folder_display.flush(display, newer + i, 0, 1, 1), 0);
+            assert_int_equal(folder_display.frame_end(display), 0);
+        }
+        assert_int_equal(image_read_png("out/frame-0000.png", &image), 0);
+        assert_int_equal(image.rgb[0], 10);
+        image_free(&image);
+        assert_int_equal(folder_display.close(display, keep), keep ? HAL_E_IO : 0);
+        assert_true(!keep || errno == EISDIR);
+        assert_int_equal(chdir("out"), 0);
+        assert_int_equal(files_here(), 2);
+        assert_int_equal(chdir(".."), 0);
     }
 }
 
@@ -389,6 +416,7 @@ int main(void)
         TEST(an_animated_png_that_lacks_pictures_is_not_kept),
         TEST(a_folder_receives_numbered_pictures),
         TEST(what_is_discarded_leaves_nothing),
+        TEST(a_failed_run_leaves_older_pictures_in_their_folder),
         TEST(a_full_device_is_reported),
         TEST(a_directory_is_not_a_file),
         TEST(a_file_is_replaced_at_once),

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "pack/quantise.h"
 #include "pack/report.h"
 #include "scene/vec.h"
 
@@ -260,6 +261,29 @@ static void texture_coordinates_keep_seams_apart(void **state)
     pack_free(&r);
 }
 
+static void a_texture_coordinate_that_is_no_number_drops_them_all(void **state)
+{
+    (void)state;
+    for (int k = 0; k <= 1; k++)
+        for (int corner = 0; corner < 3; corner++) {
+            struct model m = {0};
+            struct quantise_mesh out;
+            struct pack_mesh_report report = {0};
+            struct model_mesh *mesh = model_add_mesh(&m, "m");
+            model_add_material(&m, "a");
+            mesh->has_uvs = true;
+            for (int i = 0; i < 3; i++)
+                model_add_vertex(mesh, (double[]){i == 1, i == 2, 0}, (double[]){0, 0, 1}, 0.5, 0.5);
+            model_add_triangle(mesh, 0, 1, 2, 0);
+            mesh->vertices[corner].uv[k] = NAN;
+            assert_null(quantise_mesh(&m, mesh, -1, &out, &report));
+            assert_true(report.uvs_dropped);
+            assert_null(out.parts[0].uvs);
+            quantise_free(&out);
+            model_free(&m);
+        }
+}
+
 static void shininess_can_be_overridden_in_every_kind_of_file(void **state)
 {
     (void)state;
@@ -327,15 +351,24 @@ static void names_for_c_come_from_file_names(void **state)
     (void)state;
     static const char *const cases[][2] = {{"a/b/torus.glt", "torus"}, {"bench-torus288.c", "bench_torus288"},
                                            {"3d.json", "_3d"},         {".hidden", "_hidden"},
-                                           {"no_ending", "no_ending"}, {"a.b.c", "a_b"}};
+                                           {"no_ending", "no_ending"}, {"a.b.c", "a_b"},
+                                           {"int.c", "scene_int"},     {"a/_Bool.c", "scene__Bool"},
+                                           {"main.c", "scene_main"},   {"uint32_t.c", "scene_uint32_t"},
+                                           {"integer.c", "integer"},   {"folder/", "scene_"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char name[32];
         pack_name(cases[i][0], name, sizeof name);
         assert_string_equal(name, cases[i][1]);
+        assert_true(pack_is_name(name));
     }
     char small[4];
     pack_name("abcdef.c", small, sizeof small);
     assert_string_equal(small, "abc");
+    pack_name("integer.c", small, sizeof small); /* which cut short is one */
+    assert_string_equal(small, "sce");
+    static const char *const refused[] = {"", "3d", "a-b", "int", "while", "main", "_Alignas", "int8_t", "int long"};
+    for (size_t i = 0; i < sizeof refused / sizeof *refused; i++)
+        assert_false(pack_is_name(refused[i]));
 }
 
 /* Between ```json and ``` */
@@ -373,6 +406,7 @@ int main(void)
         cmocka_unit_test(materials_of_one_exponent_share_a_table),
         cmocka_unit_test(a_mesh_beyond_16_bits_is_split_on_one_grid),
         cmocka_unit_test(texture_coordinates_keep_seams_apart),
+        cmocka_unit_test(a_texture_coordinate_that_is_no_number_drops_them_all),
         cmocka_unit_test(shininess_can_be_overridden_in_every_kind_of_file),
         cmocka_unit_test(a_written_blob_is_read_back_the_same),
         cmocka_unit_test(the_words_in_c_are_the_blobs),

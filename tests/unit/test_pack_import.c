@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "import/import.h"
+#include "import/limits.h"
 #include "import/normals.h"
 #include "import/shape.h"
 #include "pack/report.h"
@@ -15,6 +16,7 @@
 #include <math.h>
 
 #include "pack_case.h"
+#include "random.h"
 
 #define SQUARE_OBJ "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
 
@@ -150,6 +152,111 @@ static void creases_stay_sharp_and_others_round(void **state)
     model_free(&m);
 }
 
+/* n random faces that share a corner at the origin; `bend` is how far from the xy plane they lean. */
+static struct model fan(size_t n, double bend)
+{
+    struct model m = {0};
+    struct model_mesh *mesh = model_add_mesh(&m, "fan");
+    const double none[3] = {0, 0, 0};
+    random_seed(1);
+    model_add_vertex(mesh, none, none, 0, 0);
+    for (size_t i = 0; i < 2 * n; i++) {
+        double p[3];
+        for (int k = 0; k < 3; k++)
+            p[k] = random_real(-1, 1) * (k == 2 ? bend : 1);
+        model_add_vertex(mesh, p, none, 0, 0);
+        if (i % 2)
+            model_add_triangle(mesh, 0, (uint32_t)i, (uint32_t)i + 1, 0);
+    }
+    return m;
+}
+
+/* The definition, pair by pair. */
+static void mean_normal(const struct model_mesh *mesh, size_t of, double crease, double out[3])
+{
+    double mine[3], face[3], a[3], b[3];
+    normals_face(mesh, &mesh->triangles[of], mine);
+    memset(out, 0, 3 * sizeof *out);
+    for (size_t i = 0; i < mesh->triangle_count; i++) {
+        const struct model_triangle *t = &mesh->triangles[i];
+        memcpy(a, mesh->vertices[t->corner[1]].position, sizeof a);
+        memcpy(b, mesh->vertices[t->corner[2]].position, sizeof b);
+        assert_true(normals_face(mesh, t, face) && vec_normalise(a) && vec_normalise(b));
+        for (int k = 0; vec_dot(mine, face) >= cos(crease) && k < 3; k++)
+            out[k] += acos(vec_dot(a, b)) * face[k];
+    }
+}
+
+static void smoothing_a_large_fan_is_the_mean_of_each_pair(void **state)
+{
+    (void)state;
+    static const double bends[] = {1, 0.05, 0.001}, creases[] = {0.02, M_PI / 4, 2, M_PI};
+    for (size_t b = 0; b < sizeof bends / sizeof *bends; b++)
+        for (size_t c = 0; c < sizeof creases / sizeof *creases; c++) {
+            struct model m = fan(700, bends[b]);
+            struct model_mesh *mesh = &m.meshes[0];
+            normals_smooth(mesh, creases[c]);
+            for (size_t i = 0; i < mesh->triangle_count; i++) {
+                double want[3];
+                mean_normal(mesh, i, creases[c], want);
+                for (int k = 0; k < 3; k++)
+                    assert_true(fabs(mesh->vertices[3 * i].normal[k] - want[k]) < 1e-9);
+            }
+            model_free(&m);
+        }
+}
+
+/* Rounding turns the faces of a flat fan apart by some 1e-16: not for a crease of 0 either are they an edge. */
+static void a_flat_fan_is_smooth_at_any_crease(void **state)
+{
+    (void)state;
+    for (int crease = 0; crease <= 180; crease += 45) {
+        struct model m = fan(100000, 0);
+        struct model_mesh *mesh = &m.meshes[0];
+        for (size_t i = 1; i < mesh->vertex_count; i++) { /* onto x + y + z = 0 */
+            double *p = mesh->vertices[i].position;
+            p[2] = -p[0] - p[1];
+        }
+        for (size_t i = 0; i < mesh->triangle_count; i++) { /* all counter-clockwise */
+            double face[3];
+            uint32_t *corner = mesh->triangles[i].corner;
+            if (normals_face(mesh, &mesh->triangles[i], face) && face[2] < 0) {
+                uint32_t swap = corner[1];
+                corner[1] = corner[2];
+                corner[2] = swap;
+            }
+        }
+        normals_smooth(mesh, crease * M_PI / 180);
+        for (size_t i = 0; i < mesh->vertex_count; i += 3)
+            assert_memory_equal(mesh->vertices[i].normal, mesh->vertices[0].normal, sizeof mesh->vertices[0].normal);
+        model_free(&m);
+    }
+}
+
+/* The sparse file would take 3 seconds a MiB. */
+static void processor_time_grows_with_a_gltfs_buffers(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {
+        "{\"buffers\": [{\"uri\": \"d.bin\"}, {\"uri\": \"data:,d.bin\"}, {\"uri\": \"no.bin\"}, {}]}",
+        "{\"buffers\": {\"b\": {\"uri\": \"d.bin\"}}}",
+        "not JSON",
+    };
+    for (int i = 0; i < 3; i++) {
+        struct case_file file;
+        char path[80];
+        case_write(&file, "t.gltf", texts[i], strlen(texts[i]));
+        snprintf(path, sizeof path, "%s/d.bin", file.folder);
+        FILE *out = fopen(path, "w");
+        assert_true(out && ftruncate(fileno(out), 100 << 20) == 0 && fclose(out) == 0);
+        unsigned long seconds = limits_seconds(file.path), alone = limits_seconds(path);
+        unlink(path);
+        case_remove(&file);
+        assert_int_equal(alone, 5 + 300);
+        assert_int_equal(seconds, i < 2 ? 5 + 300 : 5);
+    }
+}
+
 static void a_model_alone_is_framed_and_spins(void **state)
 {
     (void)state;
@@ -191,6 +298,9 @@ int main(void)
         cmocka_unit_test(metal_and_roughness_become_a_highlight),
         cmocka_unit_test(smoothing_finds_a_spheres_normals),
         cmocka_unit_test(creases_stay_sharp_and_others_round),
+        cmocka_unit_test(smoothing_a_large_fan_is_the_mean_of_each_pair),
+        cmocka_unit_test(a_flat_fan_is_smooth_at_any_crease),
+        cmocka_unit_test(processor_time_grows_with_a_gltfs_buffers),
         cmocka_unit_test(a_model_alone_is_framed_and_spins),
         cmocka_unit_test(unknown_endings_are_refused),
     };

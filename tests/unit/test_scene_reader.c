@@ -52,6 +52,10 @@ static void structure_errors_name_the_place(void **state)
     refuse("{" CAM "\"objects\": [{\"mesh\": \"foo\"}]}", " objects[0].mesh: no mesh named \"foo\"");
     refuse("{" CAM MESH "\"objects\": [{\"mesh\": \"m\"}, {\"mesh\": \"m\", \"material\": \"gold\"}]}",
            " objects[1].material: no material named \"gold\"");
+    refuse("{" CAM MESH "\"objects\": [{\"mesh\": \"m\", \"material\": \"m\"}]}",
+           " objects[0].material: no material named \"m\"");
+    refuse("{" CAM "\"meshes\": {\"m\": {\"shape\": \"plane\"}, \"n\": {\"shape\": \"plane\", \"material\": \"m\"}}}",
+           " meshes.n.material: no material named \"m\"");
     refuse("{" CAM MESH "\"objects\": [{\"mesh\": 1}]}", " objects[0].mesh: must be a string");
     refuse("{" CAM MESH "\"objects\": [{}]}", " objects[0].mesh: missing");
     refuse("{" CAM "\"meshes\": {\"m\": {\"shape\": \"cube\"}}}",
