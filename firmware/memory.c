@@ -7,7 +7,7 @@
 _Static_assert(sizeof(struct triangle_ref) == 8, "a listed triangle");
 _Static_assert(sizeof(struct clipped_triangle) == 40, "a piece made by clipping");
 _Static_assert(sizeof(void *) > 4 || (sizeof(struct object_state) == 248 && sizeof(struct raster) == 1664 &&
-                                      sizeof(struct colour_table) == 16540),
+                                      sizeof(struct colour_table) == 16412),
                "an object, the working state, a colour table");
 
 static size_t words(size_t bytes)

@@ -154,15 +154,16 @@ FX_WRAPS static uint32_t draw(struct raster *r, struct edges *e)
     if (!table || setup->runs_only)
         return raster_runs(r, e, shade_run);
     const uint16_t *colours = table->colour[0];
-    if (!setup->diffuse_lights)
-        setup->channel[0].p = (struct polynomial){0}; /* a highlight alone: the loops below read both */
-    /* Rounded to the table's steps: half a step more. N.H counts from the foot of the power. */
-    setup->channel[0].p.f += 1u << 23;
+    /* N.L rounded to the table's steps: half a step more. N.H counts from the foot of the power. */
+    const uint32_t half = 1u << 23;
     if (setup->specular_lights) {
-        setup->channel[1].p.f +=
-            (1u << (22 - r->surface.power->octave)) + (1u << (30 - r->surface.power->octave)) - (1u << 30);
+        if (!setup->diffuse_lights)
+            setup->channel[0].p = (struct polynomial){0}; /* a highlight alone: the loops read both */
+        setup->channel[0].p.f += half;
+        setup->channel[1].p.f += (1u << (30 - r->surface.power->octave)) - (1u << 30);
         return setup->quadratic ? spans_both_quadratic(r, e, colours) : spans_both(r, e, colours);
     }
+    setup->channel[0].p.f += half;
     if (setup->diffuse_lights)
         return setup->quadratic ? spans_diffuse_quadratic(r, e, colours) : spans_diffuse(r, e, colours);
     return spans_dark(r, e, colours);

@@ -19,7 +19,7 @@
 
 /* Colours of one material under one light, RGB565: [highlight step][diffuse step]. Row 0 has no highlight. */
 #define TABLE_DIFFUSE   64
-#define TABLE_HIGHLIGHT 129
+#define TABLE_HIGHLIGHT 128
 struct colour_table {
     uint32_t base[3]; /* what it was made for: see struct surface */
     uint16_t diffuse[3], specular[3];

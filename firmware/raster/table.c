@@ -4,7 +4,8 @@
  * be seen, so that clamp, power, sum and packing of a pixel are one load.
  *
  * N.L is in steps of 1/64, entry i for [i - 1/2, i + 1/2) / 64; N.H in steps of 2^-(7 + octave) over the part of [0, 1]
- * where the power shows, entry j likewise, entry 0 for everything below.
+ * where the power shows, each entry standing for its middle, entry 0 for nothing. Both clamps are to powers of 2 less
+ * 1, which ARMv7-M does in an instruction.
  */
 #include "raster/raster.h"
 
@@ -33,8 +34,8 @@ static void make(struct raster *r, struct colour_table *table)
     }
     table->exponent = s->power->exponent;
     for (uint32_t j = 0; j < TABLE_HIGHLIGHT; j++) {
-        /* N.H = 1 - 2^-octave (128 - j) / 128 */
-        uint32_t power = j ? fx_power(s->power, (q30_t)((1u << 30) - ((128u - j) << (23 - s->power->octave)))) : 0;
+        /* N.H in the middle of its step: 1 - 2^-octave (128 - j - 1/2) / 128 */
+        uint32_t power = j ? fx_power(s->power, (q30_t)((1u << 30) - ((255u - 2 * j) << (22 - s->power->octave)))) : 0;
         for (uint32_t i = 0; i < TABLE_DIFFUSE; i++) {
             uint32_t sum[3];
             for (int c = 0; c < 3; c++)

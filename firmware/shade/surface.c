@@ -46,6 +46,7 @@ void surface_setup(struct surface *surface, const struct scene_header *scene, co
     surface->channels = palette->channels;
     surface->lights = (uint8_t)scene->light_count;
     surface->highlights = 0;
+    surface->bend_limit = (uint8_t)(128u / (scene->light_count ? scene->light_count : 1u));
     for (unsigned c = 0; c < 3; c++)
         rgb[c] = times(times(material->diffuse[c], scene->ambient[c]), material->ka);
     to_steps(palette, rgb, 0, surface->base);

@@ -17,6 +17,7 @@ struct palette {
 struct surface {
     const struct fx_power *power;
     uint8_t channels, lights;
+    uint8_t bend_limit; /* a bend that moves a channel by less is left out: half a step over all lights, Q8 */
     uint8_t highlights; /* some channel of `specular` is not 0 */
     uint32_t base[3];   /* ambient part, Q15 steps, at most 255 * 2^15 */
     uint32_t top[3];    /* full intensity, Q15 steps */

@@ -44,10 +44,6 @@ static void restrict_to(const uint16_t (*w)[3], int32_t value[3], int32_t bulge[
     }
 }
 
-/* Bends that together move no channel by more than about half a step of the output are left out: Q8, of all lights; the
- * diffuse and the specular part count each on its own. */
-#define BEND_STEPS_Q8 128
-
 /* How much the highlight can change, in Q8 steps, when N.H of at most `top` is off by `bend`: the power is convex. */
 static uint32_t highlight_slack(const struct surface *s, unsigned light, int32_t top, int32_t bend)
 {
@@ -81,7 +77,7 @@ static inline __attribute__((always_inline)) int interpolate(struct shade_setup 
     } else {
         error = (s->light[light].diffuse_most * (uint32_t)bend) >> 14;
     }
-    int linear = error * s->lights < BEND_STEPS_Q8; /* error < 2^17 */
+    int linear = error < s->bend_limit;
     if (!linear || in->weight) {
         bulges(value, in->triangle, bulge);
         if (in->weight)
