@@ -18,10 +18,11 @@ struct corner {
     uint32_t key; /* close faces mostly have close keys */
 };
 
-/* Corners at one position, consecutive in their order. */
+/* Corners at one position, consecutive in their order. Their faces' normals lie in a cap around the axis: a normal
+ * whose product with the axis is at least `inside` is within the crease of them all, and below `outside` of none. */
 struct cluster {
-    double axis[3], radius; /* the cap that holds their faces' normals, radians */
-    double sum[3];          /* of angle * face */
+    double axis[3], inside, outside;
+    double sum[3]; /* of angle * face */
 };
 
 /* All corners at one position: a binary tree of clusters, the children of i at 2 i + 1 and 2 i + 2, each with half of
@@ -99,11 +100,6 @@ static uint32_t face_key(const double face[3])
     return key;
 }
 
-static double angle_between(const double a[3], const double b[3])
-{
-    return acos(fmax(-1, fmin(1, vec_dot(a, b))));
-}
-
 static struct corner *sorted_corners(const struct model_mesh *mesh, size_t *count)
 {
     struct corner *corners = model_alloc(3 * mesh->triangle_count * sizeof *corners);
@@ -118,7 +114,7 @@ static struct corner *sorted_corners(const struct model_mesh *mesh, size_t *coun
         if (!normals_face(mesh, t, c->face) || !vec_normalise(to_next) || !vec_normalise(to_last))
             continue;
         memcpy(c->position, here, sizeof c->position);
-        c->angle = angle_between(to_next, to_last);
+        c->angle = acos(fmax(-1, fmin(1, vec_dot(to_next, to_last))));
         c->index = i;
         c->key = face_key(c->face);
         ++*count;
@@ -139,8 +135,14 @@ static void build(struct fan *fan, size_t node, size_t first, size_t end)
         }
     if (!vec_normalise(cluster->axis)) /* they cancel out: any axis will do */
         cluster->axis[0] = 1;
+    double least = 1;
     for (size_t i = first; i < end; i++)
-        cluster->radius = fmax(cluster->radius, angle_between(cluster->axis, fan->corners[i].face));
+        least = fmin(least, vec_dot(cluster->axis, fan->corners[i].face));
+    const double radius = acos(fmax(-1, least)) + ROUNDING;
+    cluster->inside = radius < fan->crease ? cos(fan->crease - radius) : 2;
+    cluster->outside = fan->crease + radius < M_PI ? cos(fan->crease + radius) : -2;
+    if (radius < 2 * ROUNDING) /* all the same: or those at the very crease would be looked at one by one */
+        cluster->inside = cluster->outside = fan->least;
     const size_t middle = first + (end - first) / 2;
     build(fan, 2 * node + 1, first, middle);
     build(fan, 2 * node + 2, middle, end);
@@ -157,12 +159,11 @@ static void add_near(const struct fan *fan, size_t node, size_t first, size_t en
         return;
     }
     const struct cluster *cluster = &fan->clusters[node];
-    const double apart = angle_between(face, cluster->axis);
-    const bool one = cluster->radius < ROUNDING; /* or those at the very crease would all be looked at */
-    if (one ? vec_dot(face, cluster->axis) >= fan->least : apart + cluster->radius < fan->crease - ROUNDING) {
+    const double product = vec_dot(face, cluster->axis);
+    if (product >= cluster->inside) {
         for (int k = 0; k < 3; k++)
             sum[k] += cluster->sum[k];
-    } else if (!one && apart - cluster->radius <= fan->crease + ROUNDING) {
+    } else if (product >= cluster->outside) {
         const size_t middle = first + (end - first) / 2;
         add_near(fan, 2 * node + 1, first, middle, face, sum);
         add_near(fan, 2 * node + 2, middle, end, face, sum);
