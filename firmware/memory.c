@@ -40,7 +40,8 @@ size_t glint_band_bytes(const struct glint_config *c)
     return words(glint_row_bytes(c) * c->band_rows);
 }
 
-/* Hands out the memory in order; with f null it only counts. Everything is a multiple of 4, pointers first. */
+/* Hands out the memory in order; with f null it only counts. What holds pointers comes first, the rest are multiples
+ * of 4. */
 static size_t divide(const struct glint_config *c, struct glint_frame *f)
 {
     uint8_t *base = f ? c->memory : 0;
@@ -52,8 +53,8 @@ static size_t divide(const struct glint_config *c, struct glint_frame *f)
         at += words(bytes);                  \
     } while (0)
     TAKE(raster, sizeof(struct raster));
-    TAKE(raster->table, c->tables * sizeof(struct colour_table));
     TAKE(objects, c->max_objects * sizeof(struct object_state));
+    TAKE(raster->table, c->tables * sizeof(struct colour_table));
     TAKE(clipped, c->max_clipped * sizeof(struct clipped_triangle));
     TAKE(vertices, (size_t)c->max_vertices * (VERTEX_LIGHTS + 2u * c->max_lights + c->method->vertex_words) * 2);
     TAKE(triangles, c->max_triangles * sizeof(struct triangle_ref));

@@ -48,7 +48,8 @@ struct scene_mesh {
     uint32_t triangle_count; /* 1..65535 */
     q16_t centre[3];         /* |c| < 2^14 units */
     q16_t extent;            /* a position component of 32768 is this long; 2^-10 <= extent < 2^14 units */
-    q16_t radius;            /* of a sphere about the centre that holds all vertices; 0 < radius < 2^15 units */
+    q16_t radius; /* of a sphere about the centre that holds all vertices and a position unit more; 0 < radius < 2^15
+                     units */
 };
 
 #define MATERIAL_FLAT      1u /* its vertices carry face normals: one value a directional light, by every method */

@@ -148,8 +148,7 @@ static void build(struct fan *fan, size_t node, size_t first, size_t end)
     build(fan, 2 * node + 2, middle, end);
 }
 
-/* Adds the corners of a node whose faces are within the crease of this one: whole clusters where they are all within.
- */
+/* Adds the corners of a node whose faces are within the crease of this one, by whole clusters where it can. */
 static void add_near(const struct fan *fan, size_t node, size_t first, size_t end, const double face[3], double sum[3])
 {
     if (end - first <= LEAF) {

@@ -96,7 +96,7 @@ static inline void random_case(enum scene_camera_kind kind)
     c->reference_height = (uint16_t)random_between(1, 2048);
     pose.scale = (q16_t)random_magnitude(1 << 8, (1 << 24) - 1);
     mesh.extent = (q16_t)random_magnitude(1 << 6, (1 << 30) - 1);
-    mesh.radius = (q16_t)fmin(mesh.extent * 1.7320509 + 1, 0x1p31 - 1);
+    mesh.radius = (q16_t)fmin(mesh.extent * 1.7320818 + 1, 0x1p31 - 1);
     double size = mesh.extent * (double)pose.scale / 65536, m[3][3], offset[3], ahead[3];
     double distance = fmin(size * random_magnitude(.5, 4000), 0x1p29);
     double most = 65536 * random_magnitude(1, 16384), aside = distance * random_real(0, .7);

@@ -99,7 +99,7 @@ static void lights_are_turned_into_the_objects_axes(void **state)
         memcpy(blob + 1, c.light, sizeof c.light);
         object.mesh = &mesh;
         view_setup(&view, blob, 64, 64);
-        mesh.radius = (q16_t)fmin(mesh.extent * 1.7320509 + 1, 0x1p31 - 1);
+        mesh.radius = (q16_t)fmin(mesh.extent * 1.7320818 + 1, 0x1p31 - 1);
         transform_setup(&t, &view, &mesh, &pose, &to_eye); /* seen or not, the matrix is set */
         object_light_setup(&object, blob, &view, &pose, &to_eye, 0);
         for (int j = 0; j < 8; j++) {
@@ -181,7 +181,7 @@ static void a_vertex_record_holds_place_and_dots(void **state)
         }
         scene_case_bend(&triangle, vertex);
         c.mesh[0] = (struct scene_case_mesh){mesh, vertex, &triangle, VERTICES, 1};
-        c.mesh[0].head.radius = mesh.radius = (q16_t)(mesh.extent * 1.7320509 + 1);
+        c.mesh[0].head.radius = mesh.radius = (q16_t)(mesh.extent * 1.7320818 + 1);
         memcpy(c.object[0].rotation, pose.rotation.q, sizeof c.object[0].rotation);
         memcpy(c.object[0].position, pose.position, sizeof c.object[0].position);
         c.object[0].scale = pose.scale;
