@@ -11,8 +11,10 @@
 
 #include "geometry/rotation.h"
 
-/* Screen coordinates are 28.4, relative to the picture's centre, x right, y down; the guard band reaches this far. What
- * is cut there may be rounded out by a sub-pixel: differences stay within 2^15. */
+/*
+ * Screen coordinates are 28.4, relative to the picture's centre, x right, y down; the guard band reaches this far. What
+ * is cut there may be rounded out by a sub-pixel: differences stay within 2^15.
+ */
 #define GUARD (1024 * 16 - 1)
 
 /* Depth 0 is what the buffer is cleared to; larger is nearer: near/z in perspective, (far - z) / (far - near) in

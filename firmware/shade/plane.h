@@ -48,8 +48,10 @@ struct channel {
     };
 };
 
-/* From corners p[k] = x, y in 28.4 about the centre of a picture `width` x `height`, |p| <= GUARD, y down, in the
- * order that makes the determinant positive; 0 if it is not. */
+/*
+ * From corners p[k] = x, y in 28.4 about the centre of a picture `width` x `height`, |p| <= GUARD, y down, in the
+ * order that makes the determinant positive; 0 if it is not.
+ */
 int plane_setup(struct plane *plane, const int16_t *const p[3], unsigned width, unsigned height);
 
 /* What quadratics need besides; once a triangle, before the first. */
