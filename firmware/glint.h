@@ -41,6 +41,15 @@ extern const struct glint_method glint_phong;   /* normal interpolated and norma
 /* Their places in the statistics. */
 enum glint_method_id { GLINT_FLAT, GLINT_GOURAUD, GLINT_X, GLINT_PHONG, GLINT_METHODS };
 
+/* All of them by name, for programs that offer the choice: who names these lists links every method. */
+struct glint_choice {
+    const char *name;
+    const struct glint_method *method;
+};
+extern const struct glint_choice glint_choices[];
+extern const unsigned glint_choice_count;
+extern const char *const glint_method_names[GLINT_METHODS]; /* by enum glint_method_id */
+
 /* flags */
 #define GLINT_DITHER  1u /* ordered 4x4 dither for RGB565 and GREY4 */
 #define GLINT_NO_PLAN 2u /* compute every effect, even those that cannot show; the picture is the same */

@@ -10,7 +10,6 @@
 #include <time.h>
 
 const char *const cli_formats[] = {"rgb565", "rgb888", "grey8", "grey4"};
-const char *const cli_methods[] = {"flat", "gouraud", "x", "phong"};
 
 int cli_usage(const char *command, const char *format, ...)
 {

@@ -23,9 +23,8 @@ bool cli_size(const char *text, uint16_t *width, uint16_t *height);
 /* The index of `text` in names[count], or -1. */
 int cli_choice(const char *text, const char *const names[], int count);
 
-/* The names of enum glint_format and of enum glint_method, in their order. */
+/* The names of enum glint_format, in its order. */
 extern const char *const cli_formats[];
-extern const char *const cli_methods[];
 
 /* From now on SIGINT, SIGTERM, SIGHUP and SIGQUIT only set what cli_interrupted() returns, the signal's number, so that
  * work under way can take back what it has written. To be called before a file is opened for writing, and not long

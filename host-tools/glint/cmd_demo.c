@@ -29,7 +29,7 @@ static const char demo_help[] =
     "      --height H   of a panel in pixels, 16..1024, default 240; the width follows the camera\n"
     "      --help\n";
 
-static const enum glint_method_id demo_methods[DEMO_PANELS] = {GLINT_GOURAUD, GLINT_X, GLINT_PHONG};
+static const char *const demo_methods[DEMO_PANELS] = {"gouraud", "x", "phong"};
 static const char *const demo_labels[DEMO_PANELS] = {"GOURAUD", "X-SHADING", "PHONG"};
 
 struct demo {
@@ -161,7 +161,7 @@ static int demo_layout(struct demo *demo, unsigned height)
     int code = CLI_DONE;
     for (int p = 0; p < DEMO_PANELS && !code; p++) {
         struct renderer *renderer = &demo->renderer[p];
-        *renderer = (struct renderer){.method = demo_methods[p],
+        *renderer = (struct renderer){.choice = renderer_find(demo_methods[p]),
                                       .config = {.width = (uint16_t)demo->panel_width,
                                                  .height = (uint16_t)height,
                                                  .band_rows = (uint16_t)height,

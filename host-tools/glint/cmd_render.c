@@ -20,7 +20,9 @@ static const char render_help[] =
     "drawn),\n"
     "                         a folder with '/' at its end (numbered PNG files), or - for standard output\n"
     "      --output-format F  " OUTPUT_FORMATS ", whatever the ending\n"
-    "      --method M         flat, gouraud, x (default) or phong\n"
+    "      --method M         one of `glint methods`, default x\n"
+    "      --subdivide MODE   with --method subdivide\n"
+    "      --perspective      the method's perspective-correct variant\n"
     "      --size WxH         in pixels, each 1..2048; the default is the camera's\n"
     "      --frames N         1..1000000; default 1, for .apng, .y4m and folders one loop of the animation\n"
     "      --fps F            frames a second, 1..1000, default 30; frame i shows the moment i * 1000 / F ms\n"
@@ -43,9 +45,9 @@ struct render {
     struct hashes expected;
     struct tally tally;
     struct pack_options pack;
-    const char *path, *output_format, *expect;
+    const char *path, *output_format, *expect, *method, *subdivide;
     uint32_t frames, rate, time_ms, band_rows;
-    bool stats, json, hash, progress;
+    bool stats, json, hash, progress, perspective;
 };
 
 enum render_option {
@@ -53,6 +55,8 @@ enum render_option {
     RENDER_HELP = 'h',
     RENDER_OUTPUT_FORMAT = 256,
     RENDER_METHOD,
+    RENDER_SUBDIVIDE,
+    RENDER_PERSPECTIVE,
     RENDER_SIZE,
     RENDER_FRAMES,
     RENDER_FPS,
@@ -72,6 +76,8 @@ enum render_option {
 static const struct option render_options[] = {{"output", required_argument, NULL, RENDER_OUTPUT},
                                                {"output-format", required_argument, NULL, RENDER_OUTPUT_FORMAT},
                                                {"method", required_argument, NULL, RENDER_METHOD},
+                                               {"subdivide", required_argument, NULL, RENDER_SUBDIVIDE},
+                                               {"perspective", no_argument, NULL, RENDER_PERSPECTIVE},
                                                {"size", required_argument, NULL, RENDER_SIZE},
                                                {"frames", required_argument, NULL, RENDER_FRAMES},
                                                {"fps", required_argument, NULL, RENDER_FPS},
@@ -102,12 +108,9 @@ static bool render_value(struct render *render, int option, const char *text)
 {
     struct glint_config *config = &render->renderer.config;
     uint32_t number;
-    uint8_t choice;
     switch (option) {
     case RENDER_METHOD:
-        if (!render_choose(cli_choice(text, cli_methods, GLINT_METHODS), &choice))
-            return false;
-        render->renderer.method = (enum glint_method_id)choice;
+        render->method = text;
         return true;
     case RENDER_FORMAT:
         return render_choose(cli_choice(text, cli_formats, GLINT_FORMATS), &config->format);
@@ -144,6 +147,12 @@ static void render_flag(struct render *render, int option)
     case RENDER_EXPECT:
         render->expect = optarg;
         break;
+    case RENDER_SUBDIVIDE:
+        render->subdivide = optarg;
+        break;
+    case RENDER_PERSPECTIVE:
+        render->perspective = true;
+        break;
     case RENDER_DITHER:
         render->renderer.config.flags |= GLINT_DITHER;
         break;
@@ -157,6 +166,19 @@ static void render_flag(struct render *render, int option)
         render->progress = true;
         break;
     }
+}
+
+/* Finds the method by --method, --subdivide and --perspective together: "subdivide-centre", "x-perspective". */
+static int render_choose_method(struct render *render)
+{
+    char name[64];
+    int length = snprintf(name, sizeof name, "%s%s%s%s", render->method, render->subdivide ? "-" : "",
+                          render->subdivide ? render->subdivide : "", render->perspective ? "-perspective" : "");
+    if (length < (int)sizeof name)
+        render->renderer.choice = renderer_find(name);
+    return render->renderer.choice
+               ? -1
+               : cli_usage(render_name, "there is no method '%s'; `glint methods` lists them", name);
 }
 
 /* Exit code, or -1 to go on. */
@@ -173,6 +195,8 @@ static int render_parse(struct render *render, int argc, char **argv)
         case RENDER_OUTPUT:
         case RENDER_OUTPUT_FORMAT:
         case RENDER_EXPECT:
+        case RENDER_SUBDIVIDE:
+        case RENDER_PERSPECTIVE:
         case RENDER_DITHER:
         case RENDER_NO_PLAN:
         case RENDER_HASH:
@@ -190,7 +214,7 @@ static int render_parse(struct render *render, int argc, char **argv)
         return cli_usage(render_name, "nothing to do: give -o, --hash, --expect or --stats");
     if (render->path && strcmp(render->path, "-") == 0 && (render->hash || render->stats))
         return cli_usage(render_name, "--hash and --stats print where -o - writes the picture");
-    return -1;
+    return render_choose_method(render);
 }
 
 /* What the command line left open, from the scene. */
@@ -259,7 +283,7 @@ static int render_frames(struct render *render)
 
 int cmd_render(int argc, char **argv)
 {
-    struct render render = {.rate = 30, .renderer = {.method = GLINT_X, .config.format = GLINT_RGB888}};
+    struct render render = {.rate = 30, .method = "x", .renderer.config.format = GLINT_RGB888};
     struct pack_result packed = {0};
     argv[0] = (char *)render_name;
     int code = render_parse(&render, argc, argv);

@@ -10,6 +10,7 @@ int cmd_pack(int argc, char **argv);
 int cmd_reference(int argc, char **argv);
 int cmd_compare(int argc, char **argv);
 int cmd_info(int argc, char **argv);
+int cmd_methods(int argc, char **argv);
 int cmd_demo(int argc, char **argv);
 
 #endif

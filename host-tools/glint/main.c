@@ -19,6 +19,7 @@ static const struct main_command main_commands[] = {
     {"reference", cmd_reference, "draw the truth: per-pixel Phong in double precision"},
     {"compare", cmd_compare, "measure how far two pictures differ"},
     {"info", cmd_info, "say what is in a scene or model"},
+    {"methods", cmd_methods, "list the shading methods"},
     {"demo", cmd_demo, "draw a scene's animation by three methods, side by side"},
 };
 

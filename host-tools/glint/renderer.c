@@ -5,15 +5,21 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
-static const struct glint_method *const renderer_methods[GLINT_METHODS] = {
-    [GLINT_FLAT] = &glint_flat, [GLINT_GOURAUD] = &glint_gouraud, [GLINT_X] = &glint_x, [GLINT_PHONG] = &glint_phong};
+const struct glint_choice *renderer_find(const char *name)
+{
+    for (unsigned m = 0; m < glint_choice_count; m++)
+        if (strcmp(name, glint_choices[m].name) == 0)
+            return &glint_choices[m];
+    return NULL;
+}
 
 int renderer_open(struct renderer *renderer, const struct scene_header *scene)
 {
     struct glint_config *config = &renderer->config;
     renderer->scene = scene;
-    config->method = renderer_methods[renderer->method];
+    config->method = renderer->choice->method;
     glint_fit_stores(config, scene);
     config->memory_bytes = glint_memory_needed(config);
     renderer->memory = malloc(config->memory_bytes);

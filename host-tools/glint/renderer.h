@@ -8,14 +8,17 @@
 #include "scene/scene.h"
 
 struct renderer {
-    enum glint_method_id method; /* set before opening */
-    struct glint_config config;  /* width, height, format, flags, band_rows and tables: set before opening */
+    const struct glint_choice *choice; /* the method: set before opening */
+    struct glint_config config;        /* width, height, format, flags, band_rows and tables: set before opening */
     struct glint_frame frame;
     const struct scene_header *scene;
     void *band[2];
     void *memory;
     uint32_t dropped; /* triangles for which a frame had no room: the most of any */
 };
+
+/* The method of that name, or null. */
+const struct glint_choice *renderer_find(const char *name);
 
 /* Prepares to draw a checked scene; the rest of config is filled in. A message and an exit code. */
 int renderer_open(struct renderer *renderer, const struct scene_header *scene);

@@ -35,14 +35,14 @@ static void tally_methods(const char *name, const uint64_t count[GLINT_METHODS],
     if (json) {
         printf("\"%s\": {", name);
         for (int m = 0; m < GLINT_METHODS; m++)
-            printf("%s\"%s\": %" PRIu64, m ? ", " : "", cli_methods[m], count[m]);
+            printf("%s\"%s\": %" PRIu64, m ? ", " : "", glint_method_names[m], count[m]);
         printf("}, ");
         return;
     }
     printf("%-20s", name);
     for (int m = 0; m < GLINT_METHODS; m++)
         if (count[m])
-            printf(" %" PRIu64 " %s", count[m], cli_methods[m]);
+            printf(" %" PRIu64 " %s", count[m], glint_method_names[m]);
     printf("\n");
 }
 
@@ -52,10 +52,10 @@ void tally_print(const struct tally *tally, const struct renderer *renderer, boo
     double each = tally->frames ? tally->milliseconds / tally->frames : 0;
     if (json)
         printf("{\"width\": %u, \"height\": %u, \"format\": \"%s\", \"method\": \"%s\", ", config->width,
-               config->height, cli_formats[config->format], cli_methods[renderer->method]);
+               config->height, cli_formats[config->format], renderer->choice->name);
     else
         printf("%-20s %ux%u %s, %s\n", "picture", config->width, config->height, cli_formats[config->format],
-               cli_methods[renderer->method]);
+               renderer->choice->name);
     tally_count("frames", tally->frames, "all counts below are sums over them", json);
     tally_count("band_rows", config->band_rows, "", json);
     tally_count("band_bytes", glint_band_bytes(config), "one band; two of them let one be sent while the next is drawn",

@@ -15,6 +15,9 @@ for command in render pack reference compare info demo; do
     run "$command refuses an unknown option" 2 "$glint" $command --no-such-option
     run "$command wants its files" 2 "$glint" $command
 done
+run 'methods prints its list' 0 "$glint" methods
+matches 'one name a line' "$top/out" '^x$'
+run 'methods takes no arguments' 2 "$glint" methods x
 run 'a command is needed' 2 "$glint"
 run 'an unknown command is refused' 2 "$glint" paint
 run 'an unknown option is refused' 2 "$glint" --paint
@@ -25,7 +28,8 @@ while read -r option values; do
         run "render refuses --$option=$value" 2 "$glint" render "$torus" -o a.png "--$option=$value"
     done
 done <<'END'
-method color X flatt
+method color X flatt x-x
+subdivide nowhere
 size 0x1 1x0 2049x1 1x2049 10 10x 10x10x x10 -1x1 +5x5 99999999999x1
 frames 0 -1 1.5 1e3 99999999999
 fps 0 1001 x

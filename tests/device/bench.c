@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Draws the common benchmark (320x240, RGB565, 16-bit depth, clear included) and counts instructions.
- *   bench                                every scene, method and band count: one CSV line each
+ *   bench                                every scene, principal method and band count: one CSV line each
  *   bench SCENE METHOD BANDS TABLES N    one of them, N frames, nothing printed: for profilers, which look at the calls
  *                                        of bench_frame()
  */
@@ -13,6 +13,9 @@
 #define MEMORY         (1536u * 1024u)
 #define COUNT(array)   (sizeof array / sizeof array[0])
 #define CALIBRATE_TURN 1000000u
+
+static const struct glint_choice principal[] = {
+    {"flat", &glint_flat}, {"gouraud", &glint_gouraud}, {"x", &glint_x}, {"phong", &glint_phong}};
 
 static uint32_t bench_memory[MEMORY / 4], bench_band[WIDTH * HEIGHT * 2 / 4];
 
@@ -30,7 +33,7 @@ __attribute__((noinline)) int bench_frame(struct glint_frame *frame, const void 
 }
 
 static int bench_init(struct glint_frame *frame, struct glint_config *config, const void *scene,
-                      const struct program_method *method, unsigned bands, uint8_t tables)
+                      const struct glint_choice *method, unsigned bands, uint8_t tables)
 {
     *config = (struct glint_config){.width = WIDTH, .height = HEIGHT, .format = GLINT_RGB565};
     config->method = method->method;
@@ -52,7 +55,7 @@ static void bench_fields(struct line *line, const uint32_t *values, unsigned cou
     line_end(line);
 }
 
-static int bench_one(const struct program_scene *scene, const struct program_method *method, unsigned bands,
+static int bench_one(const struct program_scene *scene, const struct glint_choice *method, unsigned bands,
                      uint8_t tables)
 {
     struct glint_config config;
@@ -115,17 +118,17 @@ int program_main(int argc, char **argv)
         int bad = 0;
         bench_calibrate();
         for (unsigned s = 0; s < program_scene_count; s++)
-            for (unsigned m = 0; m < GLINT_METHODS; m++)
+            for (unsigned m = 0; m < COUNT(principal); m++)
                 for (uint8_t bands = 1; bands <= 8; bands += 7)
-                    for (uint8_t tables = 0; tables <= (m == GLINT_X); tables++)
-                        bad |= bench_one(&program_scenes[s], &program_methods[m], bands, tables);
+                    for (uint8_t tables = 0; tables <= (principal[m].method == &glint_x); tables++)
+                        bad |= bench_one(&program_scenes[s], &principal[m], bands, tables);
         return bad;
     }
     struct glint_config config;
     struct glint_frame frame;
     for (unsigned s = 0; s < program_scene_count; s++)
-        for (unsigned m = 0; m < GLINT_METHODS; m++) {
-            const struct program_method *method = &program_methods[m];
+        for (unsigned m = 0; m < glint_choice_count; m++) {
+            const struct glint_choice *method = &glint_choices[m];
             const void *scene = program_scenes[s].blob;
             if (!text_equal(argv[1], program_scenes[s].name) || !text_equal(argv[2], method->name))
                 continue;

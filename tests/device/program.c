@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "tests/device/program.h"
 
-const struct program_method program_methods[GLINT_METHODS] = {
-    {"flat", &glint_flat}, {"gouraud", &glint_gouraud}, {"x", &glint_x}, {"phong", &glint_phong}};
-
 static void line_char(struct line *line, char c)
 {
     if (line->length < sizeof line->text - 2)

@@ -19,13 +19,6 @@ struct program_scene {
 extern const struct program_scene program_scenes[];
 extern const unsigned program_scene_count;
 
-/* Every method by its name. */
-struct program_method {
-    const char *name;
-    const struct glint_method *method;
-};
-extern const struct program_method program_methods[GLINT_METHODS];
-
 /* The program: argv[0] is its name. Returns the exit code. */
 int program_main(int argc, char **argv);
 

@@ -70,7 +70,7 @@ static uint32_t golden_hash(struct glint_config *config, const struct scene_head
     return hash;
 }
 
-static int golden_picture(const struct program_scene *scene, const struct program_method *method,
+static int golden_picture(const struct program_scene *scene, const struct glint_choice *method,
                           const struct golden_format *format, uint32_t time_ms)
 {
     int small = text_equal(scene->name, "mini");
@@ -118,11 +118,11 @@ int program_main(int argc, char **argv)
             return 1;
         }
         uint32_t duration = ((const struct scene_header *)(const void *)scene->blob)->duration_ms;
-        for (unsigned m = 0; m < GLINT_METHODS; m++)
+        for (unsigned m = 0; m < glint_choice_count; m++)
             for (unsigned f = 0; f < COUNT(formats); f++) {
-                bad |= golden_picture(scene, &program_methods[m], &formats[f], 0);
+                bad |= golden_picture(scene, &glint_choices[m], &formats[f], 0);
                 if (duration)
-                    bad |= golden_picture(scene, &program_methods[m], &formats[f], duration * 3 / 8);
+                    bad |= golden_picture(scene, &glint_choices[m], &formats[f], duration * 3 / 8);
             }
     }
     return bad;

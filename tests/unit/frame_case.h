@@ -84,8 +84,10 @@ static inline void frame_case_draw(struct frame_case *f, const void *scene, uint
 
 static inline uint32_t frame_case_drawn(const struct frame_case *f)
 {
-    const uint32_t *drawn = f->frame.stats.drawn;
-    return drawn[GLINT_FLAT] + drawn[GLINT_GOURAUD] + drawn[GLINT_X] + drawn[GLINT_PHONG];
+    uint32_t drawn = 0;
+    for (int id = 0; id < GLINT_METHODS; id++)
+        drawn += f->frame.stats.drawn[id];
+    return drawn;
 }
 
 /* Every triangle of a scene that needs no clipping is counted once. */

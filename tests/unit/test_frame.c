@@ -11,8 +11,6 @@
 
 #include "frame_case.h"
 
-static const struct glint_method *const methods[] = {&glint_flat, &glint_gouraud, &glint_x, &glint_phong};
-
 static struct pack_result tiny, torus, clipped;
 
 static int load(void **state)
@@ -284,7 +282,7 @@ static void stores_of_any_size_are_never_overrun(void **state)
         f.config.max_triangles = (uint16_t)(i & 8 ? i / 16 : f.config.max_triangles);
         f.config.max_clipped = (uint16_t)(i & 16 ? i / 32 : f.config.max_clipped);
         f.config.max_objects = (uint8_t)(i & 32 ? i / 64 : f.config.max_objects);
-        f.config.method = methods[i / 3 % GLINT_METHODS];
+        f.config.method = glint_choices[i / 3 % glint_choice_count].method;
         frame_case_open(&f);
         frame_case_draw(&f, clipped.scene, 40 * i);
         frame_case_close(&f);

@@ -96,11 +96,10 @@ static void every_flipped_bit_is_refused(void **state)
 static void draw(const struct scene_header *blob, uint32_t time_ms)
 {
     struct glint_config config = {.width = 32, .height = 24, .band_rows = 24, .format = GLINT_RGB565};
-    static const struct glint_method *const methods[] = {&glint_flat, &glint_gouraud, &glint_x, &glint_phong};
     struct glint_frame frame;
     struct glint_band band;
-    for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
-        config.method = methods[i];
+    for (unsigned i = 0; i < glint_choice_count; i++) {
+        config.method = glint_choices[i].method;
         glint_fit_stores(&config, blob);
         config.memory_bytes = glint_memory_needed(&config);
         config.memory = malloc(config.memory_bytes);
