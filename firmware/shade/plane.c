@@ -80,6 +80,7 @@ void plane_setup_quadratic(struct plane *plane)
     uint32_t height = plane->scale > 0 ? plane->det << plane->scale : plane->det >> -plane->scale;
     plane->thin = scaled_up(plane) > MOST_UP_QUADRATIC || height < 32u << 14;
     plane->r2 = (int32_t)(fx_mulhi_u32(plane->r, plane->r) >> 1);
+    plane->far = plane->scale < 0 || (uint32_t)(plane->fx + 8) > 16 || (uint32_t)(plane->fy + 8) > 16;
 }
 
 /* x * 2^up modulo 2^32, or rounded to nearest for up < 0. */
@@ -105,11 +106,14 @@ static __attribute__((noinline)) struct slope slope_wide(const struct plane *p, 
 }
 
 /* Products are at most 2^30, here and above; the sums at most 2^31, and less where both have one sign. */
+static inline struct slope slope_near(const struct plane *p, int32_t d1, int32_t d2)
+{
+    return (struct slope){d1 * p->y2 - d2 * p->y1, d2 * p->x1 - d1 * p->x2};
+}
+
 static inline struct slope slope_of(const struct plane *p, int32_t d1, int32_t d2)
 {
-    if (p->scale < 0)
-        return slope_wide(p, d1, d2);
-    return (struct slope){d1 * p->y2 - d2 * p->y1, d2 * p->x1 - d1 * p->x2};
+    return p->scale < 0 ? slope_wide(p, d1, d2) : slope_near(p, d1, d2);
 }
 
 /* The gradient: a sixteenth of a pixel's step, times 2^16. */
@@ -138,7 +142,7 @@ static void keep_corners(struct channel *channel, const int32_t value[3], const 
 
 FX_WRAPS void plane_linear(const struct plane *plane, const int32_t value[3], struct channel *channel)
 {
-    channel->exact = plane->sliver;
+    channel->exact = plane->sliver; /* PLANE_EXACT */
     if (plane->sliver) {
         keep_corners(channel, value, 0);
         return;
@@ -157,24 +161,11 @@ struct curve {
     int32_t a, b, c;
 };
 
-/* Beyond 1024 pixels, from whole coordinates: coefficients up to 2^30, products of coordinates 2^30, three sums below
- * 2^62. */
-static __attribute__((noinline)) struct curve curve_wide(const struct plane *p, int32_t a, int32_t b, int32_t c)
-{
-    const int64_t x1 = p->whole_x1, y1 = p->whole_y1, x2 = p->whole_x2, y2 = p->whole_y2;
-    const int down = 29 - 2 * p->scale;
-    return (struct curve){(int32_t)((a * (y2 * y2) + b * (y1 * y1) - c * (y1 * y2)) >> down),
-                          (int32_t)((a * (x2 * x2) + b * (x1 * x1) - c * (x1 * x2)) >> down),
-                          (int32_t)((c * ((x1 * y2 + x2 * y1) / 2) - a * (x2 * y2) - b * (x1 * y1)) >> down)};
-}
-
 /* Coordinates are below 2^14, their products below 2^28 and times 8 below 2^31. Each high product is half of
  * coefficient * product: below 2^27, for c 3 * 2^27; the sums stay below 2^30. */
 static inline struct curve curve_of(const struct plane *p, int32_t a, int32_t b, int32_t c)
 {
     const int32_t x1 = p->x1, y1 = p->y1, x2 = p->x2, y2 = p->y2;
-    if (p->scale < 0)
-        return curve_wide(p, a, b, c);
     return (struct curve){
         fx_mulhi_s32(a, (y2 * y2) << 3) + fx_mulhi_s32(b, (y1 * y1) << 3) - fx_mulhi_s32(c, (y1 * y2) * 8),
         fx_mulhi_s32(a, (x2 * x2) << 3) + fx_mulhi_s32(b, (x1 * x1) << 3) - fx_mulhi_s32(c, (x1 * x2) * 8),
@@ -209,53 +200,78 @@ FX_WRAPS static inline void near_quadratic(const struct plane *plane, int32_t va
     p->c = (uint32_t)c;
 }
 
-/* x * 2^-down as Q46, modulo 2^64; the products below are 62 bits at most. */
-FX_WRAPS static uint64_t q46(int64_t x, int down)
+/* x m / 2^32 2^up modulo 2^64, rounded where up < 0; |x| < 2^63. */
+FX_WRAPS static uint64_t product(int64_t x, uint32_t m, int up)
 {
-    if (down <= 0)
-        return (uint64_t)x << (down < -63 ? 63 : -down);
-    return down > 62 ? 0 : (uint64_t)((x + (INT64_C(1) << (down - 1))) >> down);
+    const int64_t t = (x >> 32) * (int64_t)m + (int64_t)((uint64_t)(uint32_t)x * m >> 32);
+    if (up >= 0)
+        return (uint64_t)t << up;
+    return (uint64_t)((t + (INT64_C(1) << (-up - 1))) >> -up);
 }
 
-/* The same where the origin is far from corner 0, which is outside the picture: moved in Q46 and sub-pixels, and only
- * then rounded. Offsets are up to 2^15: half a unit of the last place becomes 2^-17 of a unit of Q30. */
-FX_WRAPS static void far_quadratic(const struct plane *plane, int32_t value, struct slope slope, struct curve curve,
-                                   struct polynomial *p)
+/*
+ * In Q46 of 1 and sub-pixels until the end, so that an origin far from corner 0 costs no accuracy: offsets are up to
+ * 2^15, and half a unit of the last place becomes 2^-17 of a unit of Q30.
+ */
+FX_WRAPS void plane_quadratic_wide(const struct plane *plane, const int32_t value[3], const int32_t bulge[3],
+                                   struct channel *channel)
 {
-    /* 16 more bits than gradient()'s and curve_shift()'s, and 1/256 of a square pixel. */
-    const int linear = 16 - plane->shift, square = 24 - curve_shift(plane);
-    const uint64_t gx = q46((int64_t)slope.x * plane->half, linear), gy = q46((int64_t)slope.y * plane->half, linear);
-    const uint64_t a = q46((int64_t)curve.a * plane->r2, square), b = q46((int64_t)curve.b * plane->r2, square);
-    const uint64_t c = q46((int64_t)curve.c * plane->r2, square - 1);
+    channel->exact = plane->thin ? PLANE_EXACT_WIDE : 0;
+    if (plane->thin) {
+        keep_corners(channel, value, bulge);
+        return;
+    }
+    const int64_t x1 = plane->whole_x1, y1 = plane->whole_y1, x2 = plane->whole_x2, y2 = plane->whole_y2;
+    /* Coefficients of eq. 32 in Q28: |a|, |b| <= 2^31, |c| <= 3 * 2^31; d in Q30, at most 2^32 + 2^33. */
+    const int64_t a = bulge[0], b = bulge[2], c = a + b - bulge[1];
+    const int64_t d1 = (int64_t)value[1] - value[0] - a * 4, d2 = (int64_t)value[2] - value[0] - b * 4;
+    /* Slopes: det times the gradient, below 2^49.6. Curves: det^2 times half the second differences, coefficients in
+     * Q26: twice (2^29 + 2^29 + 3 * 2^29) * 2^30 < 2^62.4. */
+    const uint32_t r2 = fx_mulhi_u32(plane->r, plane->r);
+    const int up = plane->up;
+    const uint64_t gx = product(d1 * y2 - d2 * y1, plane->r, up - 15),
+                   gy = product(d2 * x1 - d1 * x2, plane->r, up - 15);
+    const uint64_t ax = product((a >> 2) * (y2 * y2) + (b >> 2) * (y1 * y1) - (c >> 2) * (y1 * y2), r2, 2 * up - 42);
+    const uint64_t ay = product((a >> 2) * (x2 * x2) + (b >> 2) * (x1 * x1) - (c >> 2) * (x1 * x2), r2, 2 * up - 42);
+    const uint64_t axy =
+        product((c >> 2) * (x1 * y2 + x2 * y1) - (a >> 2) * (2 * x2 * y2) - (b >> 2) * (2 * x1 * y1), r2, 2 * up - 42);
     const uint64_t x = (uint64_t)(int64_t)plane->fx, y = (uint64_t)(int64_t)plane->fy, half = 1u << 15;
-    p->f = (uint32_t)((((uint64_t)(int64_t)value << 32) + gx * x + gy * y + a * x * x + b * y * y + c * x * y + half) >>
+    struct polynomial *p = &channel->p;
+    p->f = (uint32_t)((((uint64_t)(int64_t)value[0] << 16) + gx * x + gy * y + ax * x * x + ay * y * y + axy * x * y +
+                       half) >>
                       16);
-    p->d = (uint32_t)(((gx + 2 * a * x + c * y) * 16 + half) >> 16);
-    p->e = (uint32_t)(((gy + 2 * b * y + c * x) * 16 + half) >> 16);
-    p->a = (uint32_t)((a * 256 + half) >> 16);
-    p->b = (uint32_t)((b * 256 + half) >> 16);
-    p->c = (uint32_t)((c * 256 + half) >> 16);
+    p->d = (uint32_t)(((gx + 2 * ax * x + axy * y) * 16 + half) >> 16);
+    p->e = (uint32_t)(((gy + 2 * ay * y + axy * x) * 16 + half) >> 16);
+    p->a = (uint32_t)((ax * 256 + half) >> 16);
+    p->b = (uint32_t)((ay * 256 + half) >> 16);
+    p->c = (uint32_t)((axy * 256 + half) >> 16);
+}
+
+__attribute__((noinline)) void plane_quadratic_large(const struct plane *plane, const int32_t value[3],
+                                                     const int32_t bulge[3], struct channel *channel)
+{
+    const int32_t q30[3] = {value[0] * 65536, value[1] * 65536, value[2] * 65536};
+    plane_quadratic_wide(plane, q30, bulge, channel);
 }
 
 FX_WRAPS void plane_quadratic(const struct plane *plane, const int32_t value[3], const int32_t bulge[3],
                               struct channel *channel)
 {
-    channel->exact = plane->thin;
+    channel->exact = plane->thin; /* PLANE_EXACT */
     if (plane->thin) {
         keep_corners(channel, value, bulge);
         return;
     }
+    if (plane->far) {
+        plane_quadratic_large(plane, value, bulge, channel);
+        return;
+    }
     /* eq. 32: a u^2 + b v^2 + c u v + d u + e v + f, u towards corner 1, v towards corner 2. In Q28; |a|, |b| <= 2^28,
      * |c| <= 3 * 2^28. */
-    int32_t a = bulge[0], b = bulge[2], c = a + b - bulge[1];
+    const int32_t a = bulge[0], b = bulge[2], c = a + b - bulge[1];
     const int32_t d1 = value[1] - value[0] - ((a + (1 << 13)) >> 14),
                   d2 = value[2] - value[0] - ((b + (1 << 13)) >> 14);
-    const struct slope slope = slope_of(plane, d1, d2);
-    const struct curve curve = curve_of(plane, a, b, c);
-    if (plane->fx < -8 || plane->fx > 8 || plane->fy < -8 || plane->fy > 8)
-        far_quadratic(plane, value[0], slope, curve, &channel->p);
-    else
-        near_quadratic(plane, value[0], slope, curve, &channel->p);
+    near_quadratic(plane, value[0], slope_near(plane, d1, d2), curve_of(plane, a, b, c), &channel->p);
 }
 
 /* The barycentric way: u, v, w in Q16 from edge functions, clamped to the triangle. (px, py) is the pixel's centre from
@@ -276,8 +292,13 @@ FX_WRAPS static int32_t exact_value(const struct plane *plane, const struct chan
     uint32_t w = 65536 - u - v;
     /* Corner values differ by less than 2^16; the true sum fits, the products are modulo 2^32. Weights' products are
      * Q32, at most 2^30. */
-    uint32_t linear =
-        ((uint32_t)value[0] << 16) + (uint32_t)(value[1] - value[0]) * u + (uint32_t)(value[2] - value[0]) * v;
+    uint32_t linear;
+    if (channel->exact == PLANE_EXACT_WIDE) /* weights in Q30: a quarter of each term */
+        linear = (uint32_t)(fx_mulhi_s32(value[0], (int32_t)(w << 14)) + fx_mulhi_s32(value[1], (int32_t)(u << 14)) +
+                            fx_mulhi_s32(value[2], (int32_t)(v << 14)))
+                 << 2;
+    else
+        linear = ((uint32_t)value[0] << 16) + (uint32_t)(value[1] - value[0]) * u + (uint32_t)(value[2] - value[0]) * v;
     int32_t bend = fx_mulhi_s32(bulge[0], (int32_t)(w * u)) + fx_mulhi_s32(bulge[1], (int32_t)(u * v)) +
                    fx_mulhi_s32(bulge[2], (int32_t)(v * w));
     return (int32_t)(linear - ((uint32_t)bend << 2));

@@ -33,12 +33,15 @@ struct plane {
     int32_t fx, fy; /* its centre from corner 0, 1/16 pixel: -7..8 with corner 0 in the picture, else up to 2^15 */
     uint8_t sliver; /* no polynomial is accurate enough over it */
     uint8_t thin;   /* no quadratic is: set by plane_setup_quadratic() */
+    uint8_t far;    /* beyond the 32-bit quadratic's reach, in size or place: set by plane_setup_quadratic() */
 };
+
+enum plane_exact { PLANE_EXACT = 1, PLANE_EXACT_WIDE = 2 }; /* corner values times 2^16, or as they are */
 
 /* One quantity over a triangle: a polynomial, or where that would not do, its corner values, from which it is
  * computed at each pixel by exact barycentric coordinates. */
 struct channel {
-    int exact;
+    int exact; /* enum plane_exact; 0: a polynomial */
     union {
         struct polynomial p;
         struct {
@@ -60,10 +63,17 @@ void plane_setup_quadratic(struct plane *plane);
 /* A linear channel from corner values, any two of them less than 2^16 apart; the channel's value is 2^16 times that. */
 void plane_linear(const struct plane *plane, const int32_t value[3], struct channel *channel);
 
-/* A quadratic channel in Q30: corner values in Q14, |v| <= 2^14 + 2^11, and the bulges a_ij = (Ii + Ij) kij of the
- * edges 0-1, 1-2, 2-0 in Q28, |a| <= 2^28 * 1.0. Phi = sum Ii li - sum aij li lj (X-shading eq. 32, order-free). */
+/* A quadratic channel in Q30: corner values in Q14, |v| <= 2^14 + 2^11, and the bulges of the edges 0-1, 1-2, 2-0 in
+ * Q28: Phi = sum Ii li - sum aij li lj, so that a mid-edge sample is (Ii + Ij) / 2 - aij / 4; for X-shading (eq. 32,
+ * order-free) aij = (Ii + Ij) kij. |a| <= 2^28, which that is for unit normals. */
 void plane_quadratic(const struct plane *plane, const int32_t value[3], const int32_t bulge[3],
                      struct channel *channel);
+
+/* The same for any bulges, as long as |Phi| < 2 over the triangle, in 64 bits; and with corner values in Q30. */
+void plane_quadratic_large(const struct plane *plane, const int32_t value[3], const int32_t bulge[3],
+                           struct channel *channel);
+void plane_quadratic_wide(const struct plane *plane, const int32_t value_q30[3], const int32_t bulge[3],
+                          struct channel *channel);
 
 /* Values of a channel at n pixels from (x, y) rightwards; y down, picture coordinates. */
 void plane_values(const struct plane *plane, const struct channel *channel, int x, int y, int n, int32_t *out);

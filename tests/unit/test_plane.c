@@ -223,6 +223,50 @@ static void every_pixel_up_to_2048_across_is_within_the_bounds(void **state)
 }
 
 /* Heights about the limit of a quadratic, 2 pixels, on either side of it, at all lengths and angles. */
+/* Bends of up to 2.9, in place of the 1 that 32 bits hold, from values in Q30 and in Q14; small triangles, where the
+ * rounding of second differences does not show, so that an error of the arithmetic would. */
+static void large_bends_are_taken_in_64_bits(void **state)
+{
+    (void)state;
+    double most = 0;
+    for (int i = 0; i < 20000; i++) {
+        struct channel wide, narrow;
+        random_triangle((enum shape)(i % SHAPES), 1500, 500);
+        random_values(i & 1);
+        for (int k = 0; k < 3; k++)
+            bulge[k] += bulge[k] / 10 * 19;
+        struct plane plane = setup();
+        const int32_t q30[3] = {value[0] * 65536, value[1] * 65536, value[2] * 65536};
+        plane_quadratic_wide(&plane, q30, bulge, &wide);
+        plane_quadratic_large(&plane, value, bulge, &narrow);
+        for (int n = 0; n < 8; n++) {
+            double l[2] = {random_fraction(), random_fraction()}, linear, bend;
+            int u = (int)(l[0] > l[1]), x, y;
+            x = (int)floor(
+                (corner[0].x + (corner[1].x - corner[0].x) * l[u] + (corner[2].x - corner[0].x) * (l[!u] - l[u])) / 16 +
+                SIZE / 2);
+            y = (int)floor(
+                (corner[0].y + (corner[1].y - corner[0].y) * l[u] + (corner[2].y - corner[0].y) * (l[!u] - l[u])) / 16 +
+                SIZE / 2);
+            struct cover_point c = cover_centre(x, y, SIZE, SIZE);
+            if (cover_turn(c, corner[1], corner[2]) < 0 || cover_turn(corner[0], c, corner[2]) < 0 ||
+                cover_turn(corner[0], corner[1], c) < 0)
+                continue;
+            int32_t got[2];
+            truth(x, y, &linear, &bend);
+            plane_values(&plane, &wide, x, y, 1, &got[0]);
+            plane_values(&plane, &narrow, x, y, 1, &got[1]);
+            for (int way = 0; way < 2; way++) {
+                double error = fabs(got[way] - (linear - bend)) / UNIT;
+                most = error > most ? error : most;
+            }
+            tested[1][1]++;
+        }
+    }
+    print_message("at most %.4f display units off\n", most);
+    assert_true(most < 2 * EXACT_ERROR); /* weights have 16 bits, and the bends are larger */
+}
+
 static void about_two_pixels_of_height_are_within_the_bounds(void **state)
 {
     (void)state;
@@ -376,6 +420,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_pixel_up_to_1024_across_is_within_the_bounds),
         cmocka_unit_test(every_pixel_up_to_2048_across_is_within_the_bounds),
+        cmocka_unit_test(large_bends_are_taken_in_64_bits),
         cmocka_unit_test(about_two_pixels_of_height_are_within_the_bounds),
         cmocka_unit_test(the_smallest_triangles_have_their_corners_values),
         cmocka_unit_test(whichever_corner_comes_first_the_values_agree),
