@@ -48,6 +48,7 @@ int glint_frame_begin(struct glint_frame *f, const void *scene, uint32_t time_ms
     f->stats = (struct glint_stats){0};
     f->raster->surface_material = RASTER_NO_MATERIAL;
     f->raster->input.surface = &f->raster->surface;
+    f->raster->input.divides = header->camera.kind == CAMERA_PERSPECTIVE;
 
     struct view *view = &f->raster->begin.view;
     view_setup(view, header, f->config.width, f->config.height);
@@ -114,14 +115,15 @@ static void draw_triangle(struct glint_frame *f, const struct triangle_ref *ref)
     const int32_t depth[3] = {(uint16_t)in->place[0][VERTEX_DEPTH], (uint16_t)in->place[1][VERTEX_DEPTH],
                               (uint16_t)in->place[2][VERTEX_DEPTH]};
     plane_linear(&setup->plane, depth, &setup->depth);
-    setup->diffuse_lights = setup->specular_lights = setup->quadratic = 0;
+    setup->perspective = setup->diffuse_lights = setup->specular_lights = setup->quadratic = 0;
     method->setup(setup, in);
     f->stats.pixels[method->id] += method->draw(r, &edges);
     if (ref->first < r->y0)
         return; /* counted with the band above */
     f->stats.drawn[method->id]++;
     f->stats.specular_triangles += setup->specular_lights != 0;
-    f->stats.linear_triangles += method->id == GLINT_X && !setup->quadratic;
+    f->stats.linear_triangles +=
+        (method->id == GLINT_X || method->id == GLINT_SIX) && !setup->quadratic && !setup->perspective;
 }
 
 int glint_frame_next_band(struct glint_frame *f, struct glint_band *band)

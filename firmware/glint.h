@@ -36,10 +36,24 @@ extern const struct glint_method glint_flat;    /* one value a triangle */
 extern const struct glint_method glint_gouraud; /* finished colour linear over the triangle */
 extern const struct glint_method glint_x;       /* N.L and N.H quadratic over the triangle from the vertex normals
                                                    alone (X-shading, eq. 32), clamp and power per pixel */
+extern const struct glint_method glint_six;     /* the same with exactly normalised mid-edge normals */
+extern const struct glint_method glint_color6;  /* finished colour quadratic through six samples */
+extern const struct glint_method glint_duff;    /* Phong by N.L / |N|, numerator linear and |N|^2 quadratic */
 extern const struct glint_method glint_phong;   /* normal interpolated and normalised per pixel */
+/* The same, correct in perspective. */
+extern const struct glint_method glint_x_perspective, glint_six_perspective;
 
 /* Their places in the statistics. */
-enum glint_method_id { GLINT_FLAT, GLINT_GOURAUD, GLINT_X, GLINT_PHONG, GLINT_METHODS };
+enum glint_method_id {
+    GLINT_FLAT,
+    GLINT_GOURAUD,
+    GLINT_X,
+    GLINT_SIX,
+    GLINT_COLOR6,
+    GLINT_DUFF,
+    GLINT_PHONG,
+    GLINT_METHODS
+};
 
 /* All of them by name, for programs that offer the choice: who names these lists links every method. */
 struct glint_choice {
@@ -83,7 +97,7 @@ struct glint_stats {
     uint32_t drawn[GLINT_METHODS];  /* by the method they were drawn with */
     uint32_t pixels[GLINT_METHODS]; /* that passed the depth test, by method */
     uint32_t specular_triangles;    /* of the drawn: those a highlight can reach */
-    uint32_t linear_triangles;      /* of the drawn by X: those whose bend cannot show */
+    uint32_t linear_triangles;      /* of the drawn by x and six: those whose bend cannot show */
     uint32_t setups;                /* triangle set-ups: one a triangle and band that it touches */
 };
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "raster/raster.h"
+#include "shade/colour.h"
 
 /* Channels are Q24 steps between 0 and 255, so unsigned 32 bits; a rounding below 0 is taken for 0. */
 static void shade_run(struct raster *r, int x, int y, int n)
@@ -65,4 +66,4 @@ static uint32_t draw(struct raster *r, struct edges *e)
     return spans(r, e);
 }
 
-const struct glint_method glint_gouraud = {GLINT_GOURAUD, 0, SHADE_GOURAUD_WORDS, shade_gouraud, draw};
+const struct glint_method glint_gouraud = {GLINT_GOURAUD, 0, COLOUR_WORDS, shade_gouraud, draw};

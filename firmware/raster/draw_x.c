@@ -1,51 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* X-shading's pixels. */
-#include "raster/raster.h"
-
-/* Adds `amount` (Q15) of a light's colour (Q8 steps at full) to a pixel: at most 1.0887 * 2^15 * 255 * 2^8 < 2^32. */
-static inline __attribute__((always_inline)) void add(uint32_t *sum, uint32_t amount, const uint16_t *steps,
-                                                      unsigned channels)
-{
-    for (unsigned c = 0; c < channels; c++)
-        sum[c] += surface_diffuse(amount, steps[c]);
-}
-
-/* A template: `channels` is constant. */
-static inline __attribute__((always_inline)) void shade(struct raster *r, int x, int y, int n, unsigned channels)
-{
-    const struct surface *s = &r->surface;
-    struct shade_setup *setup = &r->setup;
-    const int32_t *const end = r->value[0] + n;
-    uint32_t *sum = r->sum[0];
-    for (int i = 0; i < n; i++, sum += 3)
-        for (unsigned c = 0; c < channels; c++)
-            sum[c] = s->base[c];
-    for (unsigned l = 0; l < s->lights; l++) {
-        if (setup->diffuse_lights >> l & 1) {
-            plane_values(&setup->plane, &setup->channel[2 * l], x, y, n, r->value[0]);
-            sum = r->sum[0];
-            for (const int32_t *value = r->value[0]; value != end; value++, sum += 3)
-                if (*value > 0)
-                    add(sum, (uint32_t)*value >> 15, s->light[l].diffuse, channels);
-        }
-        if (setup->specular_lights >> l & 1) {
-            plane_values(&setup->plane, &setup->channel[2 * l + 1], x, y, n, r->value[0]);
-            sum = r->sum[0];
-            for (const int32_t *value = r->value[0]; value != end; value++, sum += 3) {
-                uint32_t power = fx_power(s->power, *value);
-                if (power)
-                    add(sum, power, s->light[l].specular, channels);
-            }
-        }
-    }
-}
+/* The pixels of X-shading and of the six-sample quadratic. */
+#include "raster/dots.h"
 
 static void shade_run(struct raster *r, int x, int y, int n)
 {
-    if (r->surface.channels == 1)
-        shade(r, x, y, n, 1);
-    else
-        shade(r, x, y, n, 3);
+    dots_shade(r, x, y, n, DOTS_PLAIN);
 }
 
 /* A channel's value and first difference at column i, row j of its origin, for the loops below. Nothing is carried from
@@ -147,7 +106,7 @@ CASE(spans_diffuse_quadratic, 1, 0, 1)
 CASE(spans_both, 1, 1, 0)
 CASE(spans_both_quadratic, 1, 1, 1)
 
-FX_WRAPS static uint32_t draw(struct raster *r, struct edges *e)
+FX_WRAPS uint32_t raster_draw_dots(struct raster *r, struct edges *e)
 {
     struct shade_setup *setup = &r->setup;
     const struct colour_table *table = r->surface_table;
@@ -169,4 +128,5 @@ FX_WRAPS static uint32_t draw(struct raster *r, struct edges *e)
     return spans_dark(r, e, colours);
 }
 
-const struct glint_method glint_x = {GLINT_X, 1, 0, shade_x, draw};
+const struct glint_method glint_x = {GLINT_X, 1, 0, shade_x, raster_draw_dots};
+const struct glint_method glint_six = {GLINT_SIX, 1, 0, shade_six, raster_draw_dots};

@@ -10,7 +10,7 @@
 #include "geometry/clip.h"
 #include "glint.h"
 #include "raster/edges.h"
-#include "shade/shade.h"
+#include "shade/perspective.h"
 
 #define RUN                16 /* pixels; a mask bit each */
 #define RASTER_NO_MATERIAL 0xffffu
@@ -56,6 +56,7 @@ struct raster {
     struct span span[SPANS];
     /* the run in hand */
     int32_t value[6][RUN];
+    struct perspective_divisor divisor[RUN];
     uint32_t sum[RUN][3];
 };
 
@@ -74,6 +75,13 @@ struct glint_method {
 /* The general way: `shade` fills r->sum for n pixels from (x, y), Q15 steps, unclamped. */
 typedef void raster_shade(struct raster *r, int x, int y, int n);
 uint32_t raster_runs(struct raster *r, struct edges *e, raster_shade *shade);
+
+/* 1 / W of n pixels, and the reciprocal length of their normals (SHADE_SQUARE), into r->divisor. */
+void raster_divisors(struct raster *r, int x, int y, int n);
+void raster_lengths(struct raster *r, int x, int y, int n);
+
+/* What methods with channels of N.L and N.H draw with. */
+uint32_t raster_draw_dots(struct raster *r, struct edges *e);
 
 /* Writes the pixels of a mask from r->sum. */
 void raster_write(struct raster *r, int x, int y, uint32_t mask);

@@ -2,6 +2,26 @@
 /* The general way of drawing: any format, any number of lights, slivers too. */
 #include "raster/raster.h"
 
+void raster_divisors(struct raster *r, int x, int y, int n)
+{
+    const unsigned up = r->setup.perspective - 1u;
+    plane_values(&r->setup.plane, &r->setup.depth, x, y, n, r->value[0]);
+    for (int i = 0; i < n; i++)
+        r->divisor[i] = perspective_divisor((uint32_t)r->value[0][i], up);
+}
+
+/* Squares in Q30, at most 1 and a rounding; a normal shorter than 2^-9 (of opposite corners) is taken for that long. */
+void raster_lengths(struct raster *r, int x, int y, int n)
+{
+    const int32_t least = 1 << 12;
+    plane_values(&r->setup.plane, &r->setup.channel[SHADE_SQUARE], x, y, n, r->value[0]);
+    for (int i = 0; i < n; i++) {
+        uint32_t square = (uint32_t)(r->value[0][i] > least ? r->value[0][i] : least);
+        unsigned up = fx_clz(square) & ~1u; /* square 2^up = v 2^30, v in [1, 4) */
+        r->divisor[i] = (struct perspective_divisor){(int32_t)(fx_rsqrt_norm(square << up) >> 1), up / 2};
+    }
+}
+
 /* Tests and writes the depth of n pixels: a bit for each that is nearer than what was there, counted in *drawn. */
 static inline uint32_t test_depth(const int32_t *value, uint16_t *depth, int n, uint32_t *drawn)
 {

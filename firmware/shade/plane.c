@@ -209,6 +209,30 @@ FX_WRAPS static uint64_t product(int64_t x, uint32_t m, int up)
     return (uint64_t)((t + (INT64_C(1) << (-up - 1))) >> -up);
 }
 
+/* A gradient from corner differences d1, d2, |d| < 2^33.6, a sub-pixel's step times 2^16: slopes are below 2^49.6. */
+static inline void gradient_wide(const struct plane *p, int64_t d1, int64_t d2, uint64_t *gx, uint64_t *gy)
+{
+    *gx = product(d1 * p->whole_y2 - d2 * p->whole_y1, p->r, p->up - 15);
+    *gy = product(d2 * p->whole_x1 - d1 * p->whole_x2, p->r, p->up - 15);
+}
+
+FX_WRAPS void plane_linear_wide(const struct plane *plane, const int32_t value[3], struct channel *channel)
+{
+    channel->exact = plane->sliver ? PLANE_EXACT_WIDE : 0;
+    if (plane->sliver) {
+        keep_corners(channel, value, 0);
+        return;
+    }
+    uint64_t gx, gy;
+    const uint64_t x = (uint64_t)(int64_t)plane->fx, y = (uint64_t)(int64_t)plane->fy, half = 1u << 15;
+    gradient_wide(plane, (int64_t)value[1] - value[0], (int64_t)value[2] - value[0], &gx, &gy);
+    struct polynomial *p = &channel->p;
+    p->f = (uint32_t)((((uint64_t)(int64_t)value[0] << 16) + gx * x + gy * y + half) >> 16);
+    p->d = (uint32_t)((gx * 16 + half) >> 16);
+    p->e = (uint32_t)((gy * 16 + half) >> 16);
+    p->a = p->b = p->c = 0;
+}
+
 /*
  * In Q46 of 1 and sub-pixels until the end, so that an origin far from corner 0 costs no accuracy: offsets are up to
  * 2^15, and half a unit of the last place becomes 2^-17 of a unit of Q30.
@@ -225,12 +249,12 @@ FX_WRAPS void plane_quadratic_wide(const struct plane *plane, const int32_t valu
     /* Coefficients of eq. 32 in Q28: |a|, |b| <= 2^31, |c| <= 3 * 2^31; d in Q30, at most 2^32 + 2^33. */
     const int64_t a = bulge[0], b = bulge[2], c = a + b - bulge[1];
     const int64_t d1 = (int64_t)value[1] - value[0] - a * 4, d2 = (int64_t)value[2] - value[0] - b * 4;
-    /* Slopes: det times the gradient, below 2^49.6. Curves: det^2 times half the second differences, coefficients in
+    /* det^2 times half the second differences, coefficients in
      * Q26: twice (2^29 + 2^29 + 3 * 2^29) * 2^30 < 2^62.4. */
     const uint32_t r2 = fx_mulhi_u32(plane->r, plane->r);
     const int up = plane->up;
-    const uint64_t gx = product(d1 * y2 - d2 * y1, plane->r, up - 15),
-                   gy = product(d2 * x1 - d1 * x2, plane->r, up - 15);
+    uint64_t gx, gy;
+    gradient_wide(plane, d1, d2, &gx, &gy);
     const uint64_t ax = product((a >> 2) * (y2 * y2) + (b >> 2) * (y1 * y1) - (c >> 2) * (y1 * y2), r2, 2 * up - 42);
     const uint64_t ay = product((a >> 2) * (x2 * x2) + (b >> 2) * (x1 * x1) - (c >> 2) * (x1 * x2), r2, 2 * up - 42);
     const uint64_t axy =

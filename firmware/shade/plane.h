@@ -63,6 +63,9 @@ void plane_setup_quadratic(struct plane *plane);
 /* A linear channel from corner values, any two of them less than 2^16 apart; the channel's value is 2^16 times that. */
 void plane_linear(const struct plane *plane, const int32_t value[3], struct channel *channel);
 
+/* A linear channel of any 32-bit corner values, in 64 bits. */
+void plane_linear_wide(const struct plane *plane, const int32_t value[3], struct channel *channel);
+
 /* A quadratic channel in Q30: corner values in Q14, |v| <= 2^14 + 2^11, and the bulges of the edges 0-1, 1-2, 2-0 in
  * Q28: Phi = sum Ii li - sum aij li lj, so that a mid-edge sample is (Ii + Ij) / 2 - aij / 4; for X-shading (eq. 32,
  * order-free) aij = (Ii + Ij) kij. |a| <= 2^28, which that is for unit normals. */

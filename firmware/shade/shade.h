@@ -23,33 +23,39 @@ struct shade_input {
     const uint16_t (*weight)[3];           /* null: the corners are the source's */
     const struct object_state *object;
     const struct surface *surface;
-    int no_plan; /* keep effects that cannot show */
+    uint8_t divides; /* the view is a perspective one */
+    uint8_t no_plan; /* keep effects that cannot show */
 };
 
 /* Which of the source's corners is the input's corner k. */
 #define SHADE_TURN(k) ((3 - (k)) % 3)
 
-/* Channels: per light N.L then N.H (x), finished colours (gouraud), or the normal's components (phong). */
-#define SHADE_MAX_CHANNELS (2 * SCENE_MAX_LIGHTS)
+/* Channels: per light N.L then N.H (x, six, duff), finished colours (gouraud, color6), or the normal's components
+ * (phong). */
+#define SHADE_MAX_CHANNELS (2 * SCENE_MAX_LIGHTS + 1)
+#define SHADE_SQUARE       (2 * SCENE_MAX_LIGHTS) /* duff: the squared length of the normal */
 
 struct shade_setup {
     struct plane plane;
     struct channel depth;
     struct channel channel[SHADE_MAX_CHANNELS];
     uint32_t flat[3];        /* flat: the finished colour, Q15 steps */
+    uint8_t perspective;     /* channels are numerators: 1 + how far closeness is moved up; 0: as they are */
     uint8_t diffuse_lights;  /* x: bit i: light i reaches the triangle */
     uint8_t specular_lights; /* x: bit i: light i's highlight does */
     uint8_t quadratic;       /* x: some channel bends visibly; 0: all are linear */
     uint8_t runs_only;       /* x: a channel that no polynomial holds, or N.H beyond what a table's loop can index */
 };
 
-/* What gouraud keeps behind a vertex record's lights: colours and a material's number. */
-#define SHADE_GOURAUD_WORDS 4
-
 /* Each fills the channels it needs; plane and depth are done. */
 void shade_flat(struct shade_setup *setup, const struct shade_input *in);
 void shade_gouraud(struct shade_setup *setup, const struct shade_input *in);
 void shade_x(struct shade_setup *setup, const struct shade_input *in);
+void shade_x_perspective(struct shade_setup *setup, const struct shade_input *in);
+void shade_six(struct shade_setup *setup, const struct shade_input *in);
+void shade_six_perspective(struct shade_setup *setup, const struct shade_input *in);
+void shade_duff(struct shade_setup *setup, const struct shade_input *in);
+void shade_color6(struct shade_setup *setup, const struct shade_input *in);
 void shade_phong(struct shade_setup *setup, const struct shade_input *in);
 
 #endif

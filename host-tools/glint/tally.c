@@ -69,7 +69,7 @@ void tally_print(const struct tally *tally, const struct renderer *renderer, boo
     tally_methods("drawn", tally->drawn, json);
     tally_methods("pixels", tally->pixels, json);
     tally_count("specular_triangles", tally->specular_triangles, "drawn ones that a highlight can reach", json);
-    tally_count("linear_triangles", tally->linear_triangles, "drawn by x, their bend too small to show", json);
+    tally_count("linear_triangles", tally->linear_triangles, "drawn by x or six, their bend too small to show", json);
     tally_count("setups", tally->setups, "", json);
     printf(json ? "\"ms_per_frame\": %.3f}\n" : "ms_per_frame         %.3f  on this machine, without output\n", each);
 }

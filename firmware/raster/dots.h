@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * A run's colours from channels of N.L and N.H: clamp, power and sum over the lights, per pixel. A template: each
+ * method includes it and calls it with a constant kind.
+ */
+#ifndef GLINT_RASTER_DOTS_H
+#define GLINT_RASTER_DOTS_H
+
+#include "raster/raster.h"
+#include "shade/perspective.h"
+
+enum dots_kind {
+    DOTS_PLAIN,       /* the channels are the dot products */
+    DOTS_PERSPECTIVE, /* times W^2 */
+    DOTS_UNIT         /* times the length of the interpolated normal, whose square is channel SHADE_SQUARE */
+};
+
+/* Adds `amount` (Q15) of a light's colour (Q8 steps at full) to a pixel: at most 1.0887 * 2^15 * 255 * 2^8 < 2^32. */
+static inline __attribute__((always_inline)) void dots_add(uint32_t *sum, uint32_t amount, const uint16_t *steps,
+                                                           unsigned channels)
+{
+    for (unsigned c = 0; c < channels; c++)
+        sum[c] += surface_diffuse(amount, steps[c]);
+}
+
+/* What each pixel's dot products are to be divided by, into r->divisor. */
+static inline __attribute__((always_inline)) void dots_divisors(struct raster *r, int x, int y, int n,
+                                                                enum dots_kind kind)
+{
+    if (kind == DOTS_PERSPECTIVE)
+        raster_divisors(r, x, y, n);
+    if (kind == DOTS_UNIT)
+        raster_lengths(r, x, y, n);
+}
+
+static inline __attribute__((always_inline)) int32_t dots_value(const struct raster *r, int i, enum dots_kind kind)
+{
+    if (kind == DOTS_PERSPECTIVE)
+        return perspective_divide_twice(r->value[0][i], r->divisor[i]);
+    if (kind == DOTS_UNIT)
+        return perspective_divide(r->value[0][i], r->divisor[i]);
+    return r->value[0][i];
+}
+
+static inline __attribute__((always_inline)) void dots_shade_channels(struct raster *r, int x, int y, int n,
+                                                                      unsigned channels, enum dots_kind kind)
+{
+    const struct surface *s = &r->surface;
+    struct shade_setup *setup = &r->setup;
+    uint32_t *sum = r->sum[0];
+    for (int i = 0; i < n; i++, sum += 3)
+        for (unsigned c = 0; c < channels; c++)
+            sum[c] = s->base[c];
+    dots_divisors(r, x, y, n, kind);
+    for (unsigned l = 0; l < s->lights; l++) {
+        if (setup->diffuse_lights >> l & 1) {
+            plane_values(&setup->plane, &setup->channel[2 * l], x, y, n, r->value[0]);
+            sum = r->sum[0];
+            for (int i = 0; i < n; i++, sum += 3) {
+                int32_t value = dots_value(r, i, kind);
+                if (value > 0)
+                    dots_add(sum, (uint32_t)value >> 15, s->light[l].diffuse, channels);
+            }
+        }
+        if (setup->specular_lights >> l & 1) {
+            plane_values(&setup->plane, &setup->channel[2 * l + 1], x, y, n, r->value[0]);
+            sum = r->sum[0];
+            for (int i = 0; i < n; i++, sum += 3) {
+                uint32_t power = fx_power(s->power, dots_value(r, i, kind));
+                if (power)
+                    dots_add(sum, power, s->light[l].specular, channels);
+            }
+        }
+    }
+}
+
+static inline __attribute__((always_inline)) void dots_shade(struct raster *r, int x, int y, int n, enum dots_kind kind)
+{
+    if (r->surface.channels == 1)
+        dots_shade_channels(r, x, y, n, 1, kind);
+    else
+        dots_shade_channels(r, x, y, n, 3, kind);
+}
+
+#endif

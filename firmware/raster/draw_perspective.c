@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: MIT */
+/* Perspective-correct pixels of X-shading and of the six-sample quadratic: one reciprocal each. */
+#include "raster/dots.h"
+
+static void shade_run(struct raster *r, int x, int y, int n)
+{
+    dots_shade(r, x, y, n, DOTS_PERSPECTIVE);
+}
+
+static uint32_t draw(struct raster *r, struct edges *e)
+{
+    return r->setup.perspective ? raster_runs(r, e, shade_run) : raster_draw_dots(r, e);
+}
+
+const struct glint_method glint_x_perspective = {GLINT_X, 1, 0, shade_x_perspective, draw};
+const struct glint_method glint_six_perspective = {GLINT_SIX, 1, 0, shade_six_perspective, draw};

@@ -1,0 +1,151 @@
+/* SPDX-License-Identifier: MIT */
+#include "shade/dots.h"
+
+uint32_t dots_length_factor(uint32_t bend)
+{
+    const uint32_t one = 1u << 16;
+    uint32_t x = bend > one - 256 ? 256 : one - bend; /* 1 + k in Q16, 2^8..2^16 */
+    unsigned up = fx_clz(x) & ~1u;                    /* x 2^up in [2^30, 2^32): 14..22 */
+    /* 2^46 / sqrt(x 2^up) = 2^24 / sqrt(x) * 2^(22 - up / 2) */
+    unsigned down = 22 - up / 2;
+    return (fx_rsqrt_norm(x << up) + (1u << (down - 1))) >> down;
+}
+
+/* n . v, the normal the sum of two: |n| <= 2 (1 + 2^-13), |v| <= 1 + 2^-12, Q14: below 2^29.1. */
+static int32_t dot(const int32_t normal[3], const q14_t v[3])
+{
+    return (normal[0] * v[0] + normal[1] * v[1] + normal[2] * v[2] + (1 << 13)) >> 14;
+}
+
+void dots_sample(const struct shade_input *in, unsigned light, struct dots_samples *samples)
+{
+    for (int which = 0; which < 2; which++)
+        for (int k = 0; k < 3; k++)
+            samples->corner[which][k] = in->lights[k][2 * light + (unsigned)which];
+    for (int k = 0; k < 3; k++) {
+        const int next = k == 2 ? 0 : k + 1;
+        if (!in->object->local) {
+            for (int which = 0; which < 2; which++)
+                samples->middle[which][k] = samples->corner[which][k] + samples->corner[which][next];
+            continue;
+        }
+        const struct scene_vertex *a = &in->vertices[in->triangle->corner[SHADE_TURN(k)]],
+                                  *b = &in->vertices[in->triangle->corner[SHADE_TURN(next)]];
+        int32_t place[3], normal[3];
+        q14_t towards[3], half[3];
+        for (int i = 0; i < 3; i++) {
+            place[i] = (a->position[i] + b->position[i]) >> 1;
+            normal[i] = a->normal[i] + b->normal[i];
+        }
+        object_light_at(in->object, light, place, towards, half);
+        samples->middle[0][k] = dot(normal, towards);
+        samples->middle[1][k] = dot(normal, half);
+    }
+}
+
+void dots_bulges(const int32_t corner[3], const int32_t middle[3], const struct dots_factors *factors, int32_t out[3])
+{
+    for (int k = 0; k < 3; k++) {
+        int32_t sum = corner[k] + corner[k == 2 ? 0 : k + 1];
+        /* |sum| <= 2^15, |m D| <= 2^15 (1 + 2^-4) as D shrinks where m grows, Q30: below 2^32 before the difference */
+        int64_t bulge = ((int64_t)sum << 15) - (((int64_t)middle[k] * factors->edge[k]) >> 1);
+        out[k] = bulge > INT32_MAX ? INT32_MAX : bulge < -INT32_MAX ? -INT32_MAX : (int32_t)bulge;
+    }
+}
+
+/* Along an edge with difference d of weights the second derivative is -2 sum aij di dj, so the piece's bulge is
+ * -sum aij di dj. */
+void dots_restrict(const uint16_t (*w)[3], int32_t value[3], int32_t bulge[3])
+{
+    int32_t v[3], a[3];
+    for (int k = 0; k < 3; k++) {
+        int32_t linear = 0, bend = 0;
+        for (int i = 0; i < 3; i++) { /* |value| <= 2^14, weights sum to 2^15 */
+            int j = i == 2 ? 0 : i + 1;
+            linear += value[i] * w[k][i];
+            bend += fx_mulhi_s32(bulge[i], (int32_t)((uint32_t)w[k][i] * w[k][j])); /* Q28 * Q30: Q26; |.| < 2^28.5 */
+        }
+        v[k] = (linear >> 15) - (bend >> 12);
+        int next = k == 2 ? 0 : k + 1;
+        int32_t d[3], sum = 0;
+        for (int i = 0; i < 3; i++)
+            d[i] = (int32_t)w[next][i] - w[k][i]; /* |d| <= 2^15 */
+        for (int i = 0; i < 3; i++)
+            sum += fx_mulhi_s32(bulge[i], d[i] * d[i == 2 ? 0 : i + 1]);
+        a[k] = (int32_t)(0u - ((uint32_t)sum << 2)); /* the piece bends no more than the whole */
+    }
+    for (int k = 0; k < 3; k++) {
+        value[k] = v[k];
+        bulge[k] = a[k];
+    }
+}
+
+/* A third of the largest bulge, rounded up, in Q14; 2 for the roundings of bulges and corner values. */
+static int32_t bend_of(const int32_t bulge[3])
+{
+    int32_t most = 0;
+    for (int k = 0; k < 3; k++) {
+        int32_t size = bulge[k] < 0 ? -bulge[k] : bulge[k];
+        most = size > most ? size : most;
+    }
+    return (int32_t)((((uint32_t)most >> 14) * 11) >> 5) + 2;
+}
+
+/* x times a factor in Q16. */
+static int32_t stretched(int32_t x, uint32_t factor)
+{
+    return (int32_t)(((int64_t)x * factor) >> 16);
+}
+
+void dots_quadratic(struct shade_setup *setup, const int32_t value[3], const int32_t bulge[3], struct channel *channel)
+{
+    const uint32_t one = 1u << 28;
+    if ((uint32_t)bulge[0] + one <= 2 * one && (uint32_t)bulge[1] + one <= 2 * one &&
+        (uint32_t)bulge[2] + one <= 2 * one)
+        plane_quadratic(&setup->plane, value, bulge, channel);
+    else
+        plane_quadratic_large(&setup->plane, value, bulge, channel);
+}
+
+static void interpolate(struct shade_setup *setup, const struct shade_input *in, unsigned index, int linear,
+                        int32_t value[3], int32_t bulge[3], const struct perspective *perspective)
+{
+    struct channel *channel = &setup->channel[index];
+    if (in->weight)
+        dots_restrict(in->weight, value, bulge);
+    if (perspective) {
+        perspective_quadratic(perspective, &setup->plane, value, bulge, channel);
+    } else if (linear) {
+        plane_linear(&setup->plane, value, channel);
+    } else {
+        setup->quadratic = 1;
+        dots_quadratic(setup, value, bulge, channel);
+    }
+    setup->runs_only |= (uint8_t)(channel->exact != 0);
+}
+
+void dots_setup(struct shade_setup *setup, const struct shade_input *in, const struct dots_factors *factors,
+                const struct perspective *perspective)
+{
+    const struct surface *s = in->surface;
+    setup->runs_only = setup->depth.exact != 0;
+    setup->perspective = perspective ? (uint8_t)(perspective->up + 1u) : 0;
+    plane_setup_quadratic(&setup->plane);
+    for (unsigned i = 0; i < s->lights; i++) {
+        struct dots_samples samples;
+        uint8_t *const shown[2] = {&setup->diffuse_lights, &setup->specular_lights};
+        dots_sample(in, i, &samples);
+        for (unsigned which = 0; which < (s->highlights ? 2u : 1u); which++) {
+            int32_t bulge[3];
+            uint32_t error;
+            struct bounds range = bounds_of(samples.corner[which]);
+            dots_bulges(samples.corner[which], samples.middle[which], factors, bulge);
+            range.low = stretched(range.low, factors->stretch);
+            range.high = stretched(range.high, factors->stretch);
+            if (!dots_show(setup, in, i, which, range, stretched(bend_of(bulge), factors->stretch), &error))
+                continue;
+            *shown[which] |= (uint8_t)(1u << i);
+            interpolate(setup, in, 2 * i + which, error < s->bend_limit, samples.corner[which], bulge, perspective);
+        }
+    }
+}

@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * N.L and N.H as quadratics over a triangle through six samples: the corners' dot products and those at the middles of
+ * the edges, where light and half-way vectors are unit ones of that place and the normal is (Ni + Nj) / 2 times a
+ * length factor: X-shading (eq. 16)      1 + (1 - Ni.Nj) / 4 = 1 - k / 2 exact (six samples)     1 / sqrt(1 + k), the
+ * true unit normal none (Duff)             1 With D = (Ni + Nj).V at the middle and S = Ii + Ij, the bulge is 2 S - 2 m
+ * D; far lights have D = S.
+ */
+#ifndef GLINT_DOTS_H
+#define GLINT_DOTS_H
+
+#include "plan/bounds.h"
+#include "shade/perspective.h"
+
+/* A triangle's length factors of the edges 0-1, 1-2, 2-0, and what a channel's value is at most multiplied by later on;
+ * Q16, 2^16..2^20. */
+struct dots_factors {
+    uint32_t edge[3];
+    uint32_t stretch;
+};
+
+/* Samples of one light: N.L and N.H at the corners, and (Ni + Nj).V at the middles of the edges; Q14. */
+struct dots_samples {
+    int32_t corner[2][3], middle[2][3];
+};
+
+/* -k of the edge from input corner k to the next, Q16. */
+static inline uint32_t dots_bend(const struct shade_input *in, int k)
+{
+    return in->triangle->bend[2 - k];
+}
+
+/* 1 / sqrt(1 - bend) of a bend in Q16; of 2^16 (1 - 2^-8) at most, which is 173 degrees between the normals. */
+uint32_t dots_length_factor(uint32_t bend);
+
+/* Samples of a light on the source triangle. */
+void dots_sample(const struct shade_input *in, unsigned light, struct dots_samples *samples);
+
+/* Bulges in Q28 of samples. */
+void dots_bulges(const int32_t corner[3], const int32_t middle[3], const struct dots_factors *factors, int32_t out[3]);
+
+/* A quadratic channel of values in Q14 and bulges in Q28, by the cheapest way that holds them. */
+void dots_quadratic(struct shade_setup *setup, const int32_t value[3], const int32_t bulge[3], struct channel *channel);
+
+/* The same polynomial over a piece of the triangle whose corners have barycentric weights w[k]: values in Q14, bulges
+ * in Q28, |a| < 2^31. */
+void dots_restrict(const uint16_t (*w)[3], int32_t value[3], int32_t bulge[3]);
+
+/* How much the highlight can change, in Q8 steps, when N.H of at most `top` is off by `bend`: the power is convex. */
+static inline uint32_t dots_highlight_slack(const struct surface *s, unsigned light, int32_t top, int32_t bend)
+{
+    top = top > 16384 ? 16384 : top; /* beyond, the power is clamped */
+    int32_t lower = top > bend ? top - bend : 0;
+    uint32_t change = fx_power(s->power, (q30_t)(top << 16)) - fx_power(s->power, (q30_t)(lower << 16));
+    return surface_diffuse(change, s->light[light].specular_most) >> 7;
+}
+
+/* Whether one dot product of a light, within `range` at the corners and at most `bend` off linear, can show on the
+ * triangle; if so, *error is what leaving out the bend would change, in Q8 steps. Twice a triangle and light, with
+ * `highlight` constant. */
+static inline __attribute__((always_inline)) int dots_show(struct shade_setup *setup, const struct shade_input *in,
+                                                           unsigned light, unsigned highlight, struct bounds range,
+                                                           int32_t bend, uint32_t *error)
+{
+    const struct surface *s = in->surface;
+    int32_t top = range.high + bend, floor = highlight ? bounds_power_floor(s->power) : 1;
+    int deep = highlight && range.low - bend - floor < -32768 + 256; /* less the floor, it may pass -2 in Q30 */
+    *error = 0; /* steps in Q8 at full intensity times a Q14 bend: below 2^16 * 2^16 */
+    if (top < floor)
+        return in->no_plan && !deep;
+    if (highlight) {
+        *error = dots_highlight_slack(s, light, top, bend);
+        setup->runs_only |= (uint8_t)deep;
+    } else {
+        *error = (s->light[light].diffuse_most * (uint32_t)bend) >> 14;
+    }
+    return 1;
+}
+
+/* Fills channels 2 l and 2 l + 1 of each light that can show, linear where the bend cannot; perspective-correct if
+ * `perspective` is not null. */
+void dots_setup(struct shade_setup *setup, const struct shade_input *in, const struct dots_factors *factors,
+                const struct perspective *perspective);
+
+#endif

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Phong by N.V / |N| of the linear normal (Duff 1979; bump mapping eq. 36-42): the numerator is linear under a far
+ * light and a six-sample quadratic under a near one, the denominator's square is the quadratic |N|^2 = 1 + 4 sum kij li
+ * lj, which is X-shading's form with intensities of 1 and bulges of -4 kij.
+ */
+#include "shade/dots.h"
+
+void shade_duff(struct shade_setup *setup, const struct shade_input *in)
+{
+    struct dots_factors factors;
+    int32_t value[3], bulge[3];
+    uint32_t most = 0;
+    for (int k = 0; k < 3; k++) {
+        const uint32_t bend = dots_bend(in, k);
+        factors.edge[k] = 1u << 16;
+        value[k] = Q14(1, 1);
+        bulge[k] = (int32_t)(bend << 14); /* 4 bend in Q28: below 2^30 */
+        most = bend > most ? bend : most;
+    }
+    /* sum li lj <= 1/3: the normal's squared length is at least 1 - 4/3 of the largest bend */
+    most += (most + 2) / 3;
+    factors.stretch = dots_length_factor(most < 65536 ? most : 65536);
+    dots_setup(setup, in, &factors, 0);
+    if (in->weight)
+        dots_restrict(in->weight, value, bulge);
+    plane_quadratic_large(&setup->plane, value, bulge, &setup->channel[SHADE_SQUARE]);
+}

@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: MIT */
+#include "shade/perspective.h"
+
+int perspective_setup(struct perspective *p, const struct shade_input *in)
+{
+    uint32_t closeness[3], most = 1;
+    if (!in->divides)
+        return 0;
+    for (int k = 0; k < 3; k++) {
+        uint32_t depth = (uint16_t)in->place[k][VERTEX_DEPTH];
+        closeness[k] = depth > DEPTH_FAR ? depth - DEPTH_FAR : 1;
+        most |= closeness[k];
+    }
+    if (closeness[0] == closeness[1] && closeness[1] == closeness[2])
+        return 0;
+    p->up = (uint8_t)(fx_clz(most) - 16);
+    for (int k = 0; k < 3; k++)
+        p->s[k] = (uint16_t)(closeness[k] << p->up);
+    return 1;
+}
+
+void perspective_linear(const struct perspective *p, const struct plane *plane, const int32_t value[3],
+                        struct channel *channel)
+{
+    int32_t numerator[3];
+    for (int k = 0; k < 3; k++)
+        numerator[k] = value[k] * p->s[k]; /* |v| <= 2^15, s < 2^16 */
+    plane_linear_wide(plane, numerator, channel);
+}
+
+static int32_t saturated(int64_t x)
+{
+    return x > INT32_MAX ? INT32_MAX : x < INT32_MIN ? INT32_MIN : (int32_t)x;
+}
+
+/* sum Vi li (sum li) - sum Bij li lj has Vi + Vj - Bij before li lj: Vi = Ii si^2, Bij = Vi + Vj - (Ii + Ij - aij) si
+ * sj.
+ */
+void perspective_quadratic(const struct perspective *p, const struct plane *plane, const int32_t value[3],
+                           const int32_t bulge[3], struct channel *channel)
+{
+    int32_t v[3], b[3];
+    for (int k = 0; k < 3; k++) { /* Q14 * Q32 */
+        uint32_t square = (uint32_t)p->s[k] * p->s[k];
+        v[k] = (int32_t)(((int64_t)value[k] * square) >> 16);
+    }
+    for (int k = 0; k < 3; k++) { /* |Ii + Ij - aij| < 2^3 in Q28, times Q32: below 2^63 */
+        int j = k == 2 ? 0 : k + 1;
+        int64_t middle = ((int64_t)(value[k] + value[j]) << 14) - bulge[k];
+        uint32_t product = (uint32_t)p->s[k] * p->s[j];
+        b[k] = saturated((((int64_t)v[k] + v[j]) >> 2) - (int64_t)((middle * (int64_t)(product >> 1)) >> 31));
+    }
+    plane_quadratic_wide(plane, v, b, channel);
+}
