@@ -64,6 +64,12 @@ extern const struct glint_choice glint_choices[];
 extern const unsigned glint_choice_count;
 extern const char *const glint_method_names[GLINT_METHODS]; /* by enum glint_method_id */
 
+/* Forms of the highlight's power; null in a configuration: an interpolated table, within .29 of 1/255. */
+struct glint_power;
+extern const struct glint_power glint_power_exact; /* rounded to nearest, slow */
+/* max(0, 1 - (n / g)(1 - N.H))^g, no table and no power: off by at most 17.5, 7.6 and 3 of 1/255 at n = 50 */
+extern const struct glint_power glint_power_4, glint_power_8, glint_power_16;
+
 /* flags */
 #define GLINT_DITHER  1u /* ordered 4x4 dither for RGB565 and GREY4 */
 #define GLINT_NO_PLAN 2u /* compute every effect, even those that cannot show; the picture is the same */
@@ -74,6 +80,7 @@ struct glint_config {
     uint8_t format;         /* enum glint_format */
     uint8_t flags;          /* GLINT_DITHER, GLINT_NO_PLAN */
     const struct glint_method *method;
+    const struct glint_power *power; /* null: the table */
 
     void *band[2]; /* glint_band_bytes() each, aligned to 4; band[1] may be null: then band[0] serves every time */
     void *memory;  /* glint_memory_needed() bytes, aligned as a pointer, untouched by the caller until the last frame */

@@ -206,4 +206,7 @@ FX_WRAPS static inline uint32_t fx_power(const struct fx_power *table, q30_t s)
     return v[0] + ((uint32_t)(v[1] - v[0]) * (t << 9 >> 17) >> 15);
 }
 
+/* s^n in Q15 rounded to nearest, for n in 1..1023 and any s: 0 below 0, 1 above 1. Up to 18 64-bit products. */
+uint32_t fx_power_exact(unsigned n, q30_t s);
+
 #endif

@@ -22,6 +22,15 @@ static uint64_t power_of(uint64_t s, unsigned n)
     return p;
 }
 
+uint32_t fx_power_exact(unsigned n, q30_t s)
+{
+    if (s <= 0)
+        return 0;
+    if (s >= 1 << 30)
+        return 32768;
+    return (uint32_t)(((power_of((uint64_t)s << 34, n) >> 48) + 1) >> 1);
+}
+
 /* 1 - steps / 2^(7 + octave) in Q64 for steps in 1..128: 0 for 128 at octave 0, by the shift's overflow. */
 FX_WRAPS static uint64_t power_base(uint32_t steps, unsigned octave)
 {

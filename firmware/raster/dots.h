@@ -42,6 +42,19 @@ static inline __attribute__((always_inline)) int32_t dots_value(const struct ras
     return r->value[0][i];
 }
 
+/* The run's N.H to powers by another form than the table. */
+static inline __attribute__((always_inline)) void dots_powers(struct raster *r, int n, enum dots_kind kind)
+{
+    const struct surface *s = &r->surface;
+    if (r->setup.folded) {
+        s->form->run_folded(r->setup.folded, r->value[0], n);
+        return;
+    }
+    for (int i = 0; i < n; i++)
+        r->value[0][i] = dots_value(r, i, kind);
+    s->form->run(s->power->exponent, r->value[0], n);
+}
+
 static inline __attribute__((always_inline)) void dots_shade_channels(struct raster *r, int x, int y, int n,
                                                                       unsigned channels, enum dots_kind kind)
 {
@@ -65,6 +78,12 @@ static inline __attribute__((always_inline)) void dots_shade_channels(struct ras
         if (setup->specular_lights >> l & 1) {
             plane_values(&setup->plane, &setup->channel[2 * l + 1], x, y, n, r->value[0]);
             sum = r->sum[0];
+            if (s->form) {
+                dots_powers(r, n, kind);
+                for (int i = 0; i < n; i++, sum += 3)
+                    dots_add(sum, (uint32_t)r->value[0][i], s->light[l].specular, channels);
+                continue;
+            }
             for (int i = 0; i < n; i++, sum += 3) {
                 uint32_t power = fx_power(s->power, dots_value(r, i, kind));
                 if (power)

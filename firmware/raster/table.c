@@ -35,7 +35,7 @@ static void make(struct raster *r, struct colour_table *table)
     table->exponent = s->power->exponent;
     for (uint32_t j = 0; j < TABLE_HIGHLIGHT; j++) {
         /* N.H in the middle of its step: 1 - 2^-octave (128 - j - 1/2) / 128 */
-        uint32_t power = j ? fx_power(s->power, (q30_t)((1u << 30) - ((255u - 2 * j) << (22 - s->power->octave)))) : 0;
+        uint32_t power = j ? surface_power(s, (q30_t)((1u << 30) - ((255u - 2 * j) << (22 - s->power->octave)))) : 0;
         for (uint32_t i = 0; i < TABLE_DIFFUSE; i++) {
             uint32_t sum[3];
             for (int c = 0; c < 3; c++)

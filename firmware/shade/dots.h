@@ -17,6 +17,7 @@
 struct dots_factors {
     uint32_t edge[3];
     uint32_t stretch;
+    int are_dots; /* the channels hold the dot products themselves */
 };
 
 /* Samples of one light: N.L and N.H at the corners, and (Ni + Nj).V at the middles of the edges; Q14. */
@@ -56,14 +57,14 @@ static inline uint32_t dots_highlight_slack(const struct surface *s, unsigned li
 }
 
 /* Whether one dot product of a light, within `range` at the corners and at most `bend` off linear, can show on the
- * triangle; if so, *error is what leaving out the bend would change, in Q8 steps. Twice a triangle and light, with
- * `highlight` constant. */
+ * triangle (`form`: by another power than the table); if so, *error is what leaving out the bend would change, in Q8
+ * steps. Twice a triangle and light, with `highlight` constant. */
 static inline __attribute__((always_inline)) int dots_show(struct shade_setup *setup, const struct shade_input *in,
                                                            unsigned light, unsigned highlight, struct bounds range,
-                                                           int32_t bend, uint32_t *error)
+                                                           int32_t bend, int form, uint32_t *error)
 {
     const struct surface *s = in->surface;
-    int32_t top = range.high + bend, floor = highlight ? bounds_power_floor(s->power) : 1;
+    int32_t top = range.high + bend, floor = highlight && !form ? bounds_power_floor(s->power) : 1;
     int deep = highlight && range.low - bend - floor < -32768 + 256; /* less the floor, it may pass -2 in Q30 */
     *error = 0; /* steps in Q8 at full intensity times a Q14 bend: below 2^16 * 2^16 */
     if (top < floor)

@@ -44,6 +44,7 @@ struct shade_setup {
     uint8_t diffuse_lights;  /* x: bit i: light i reaches the triangle */
     uint8_t specular_lights; /* x: bit i: light i's highlight does */
     uint8_t quadratic;       /* x: some channel bends visibly; 0: all are linear */
+    uint8_t folded;          /* N.H is that of a form of the power folded with this `down`; 0: the dot product */
     uint8_t runs_only;       /* x: a channel that no polynomial holds, or N.H beyond what a table's loop can index */
 };
 

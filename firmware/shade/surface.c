@@ -82,7 +82,7 @@ void surface_shade(const struct surface *surface, const int16_t *lights_q14, uin
         for (unsigned c = 0; c < channels; c++)
             out[c] += surface_diffuse(diffuse, surface->light[i].diffuse[c]);
         if (surface->highlights && h > 0) {
-            uint32_t power = fx_power(surface->power, (q30_t)(h << 16)); /* h < 2^14 */
+            uint32_t power = surface_power(surface, (q30_t)(h << 16)); /* h < 2^14 */
             for (unsigned c = 0; c < channels; c++)
                 out[c] += surface_diffuse(power, surface->light[i].specular[c]);
         }

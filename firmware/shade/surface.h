@@ -7,6 +7,7 @@
 #define GLINT_SURFACE_H
 
 #include "geometry/object.h"
+#include "shade/power.h"
 
 /* The output's channels: 1 (grey) or 3, and the largest value of each. */
 struct palette {
@@ -16,6 +17,7 @@ struct palette {
 
 struct surface {
     const struct fx_power *power;
+    const struct glint_power *form; /* of the power; null: the table */
     uint8_t channels, lights;
     uint8_t bend_limit; /* a bend that moves a channel by less is left out: half a step over all lights, Q8 */
     uint8_t highlights; /* some channel of `specular` is not 0 */
@@ -37,6 +39,15 @@ void surface_colour(const struct palette *palette, const uint16_t rgb_q15[3], ui
 static inline uint32_t surface_diffuse(uint32_t n_dot_l_q15, uint16_t step_q8)
 {
     return (n_dot_l_q15 * step_q8) >> 8;
+}
+
+/* (N.H)^n in Q15 of N.H in Q30. */
+static inline uint32_t surface_power(const struct surface *surface, q30_t n_dot_h)
+{
+    if (!surface->form)
+        return fx_power(surface->power, n_dot_h);
+    surface->form->run(surface->power->exponent, &n_dot_h, 1);
+    return (uint32_t)n_dot_h;
 }
 
 /* The finished colour at N.L, N.H in Q14 of each light (a vertex record's), clamped to [0, top], Q15 steps. */

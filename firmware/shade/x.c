@@ -26,7 +26,7 @@ static inline __attribute__((always_inline)) int interpolate(struct shade_setup 
         value[k] = in->lights[k][2 * light + highlight];
     struct bounds range = bounds_of(value); /* of a clipped piece too: it lies in its source */
     uint32_t error;
-    if (!dots_show(setup, in, light, highlight, range, bounds_bend(range, curl), &error))
+    if (!dots_show(setup, in, light, highlight, range, bounds_bend(range, curl), 0, &error))
         return 0;
     int linear = error < in->surface->bend_limit;
     if (!linear || in->weight) {
@@ -51,6 +51,7 @@ static void factors_of(const struct shade_input *in, struct dots_factors *factor
     for (int k = 0; k < 3; k++)
         factors->edge[k] = (1u << 16) + dots_bend(in, k) / 2;
     factors->stretch = 1u << 16;
+    factors->are_dots = 1;
 }
 
 /* Where light or eye is near: their vectors at the mid-edges are unit ones of that place (eq. 33 with eq. 16). */
@@ -73,7 +74,7 @@ void shade_x_perspective(struct shade_setup *setup, const struct shade_input *in
 
 void shade_x(struct shade_setup *setup, const struct shade_input *in)
 {
-    if (in->object->local) {
+    if (in->object->local || in->surface->form) {
         setup_by_samples(setup, in, 0);
         return;
     }

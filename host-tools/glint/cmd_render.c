@@ -22,6 +22,7 @@ static const char render_help[] =
     "      --output-format F  " OUTPUT_FORMATS ", whatever the ending\n"
     "      --method M         one of `glint methods`, default x\n"
     "      --subdivide MODE   with --method subdivide\n"
+    "      --power P          of the highlight: table (default), exact, or free of powers by squarings: 4, 8, 16\n"
     "      --perspective      the method's perspective-correct variant\n"
     "      --size WxH         in pixels, each 1..2048; the default is the camera's\n"
     "      --frames N         1..1000000; default 1, for .apng, .y4m and folders one loop of the animation\n"
@@ -55,6 +56,7 @@ enum render_option {
     RENDER_HELP = 'h',
     RENDER_OUTPUT_FORMAT = 256,
     RENDER_METHOD,
+    RENDER_POWER,
     RENDER_SUBDIVIDE,
     RENDER_PERSPECTIVE,
     RENDER_SIZE,
@@ -76,6 +78,7 @@ enum render_option {
 static const struct option render_options[] = {{"output", required_argument, NULL, RENDER_OUTPUT},
                                                {"output-format", required_argument, NULL, RENDER_OUTPUT_FORMAT},
                                                {"method", required_argument, NULL, RENDER_METHOD},
+                                               {"power", required_argument, NULL, RENDER_POWER},
                                                {"subdivide", required_argument, NULL, RENDER_SUBDIVIDE},
                                                {"perspective", no_argument, NULL, RENDER_PERSPECTIVE},
                                                {"size", required_argument, NULL, RENDER_SIZE},
@@ -103,6 +106,17 @@ static bool render_choose(int choice, uint8_t *out)
     return choice >= 0;
 }
 
+static bool render_choose_power(const char *text, const struct glint_power **power)
+{
+    static const char *const names[] = {"table", "exact", "4", "8", "16"};
+    const struct glint_power *const powers[] = {NULL, &glint_power_exact, &glint_power_4, &glint_power_8,
+                                                &glint_power_16};
+    int choice = cli_choice(text, names, 5);
+    if (choice >= 0)
+        *power = powers[choice];
+    return choice >= 0;
+}
+
 /* The options that say what to draw, and how; false if `text` is not a value of one. */
 static bool render_value(struct render *render, int option, const char *text)
 {
@@ -114,6 +128,8 @@ static bool render_value(struct render *render, int option, const char *text)
         return true;
     case RENDER_FORMAT:
         return render_choose(cli_choice(text, cli_formats, GLINT_FORMATS), &config->format);
+    case RENDER_POWER:
+        return render_choose_power(text, &config->power);
     case RENDER_SIZE:
         return cli_size(text, &config->width, &config->height);
     case RENDER_FRAMES:

@@ -29,6 +29,7 @@ while read -r option values; do
     done
 done <<'END'
 method color X flatt x-x
+power 5 fast
 subdivide nowhere
 size 0x1 1x0 2049x1 1x2049 10 10x 10x10x x10 -1x1 +5x5 99999999999x1
 frames 0 -1 1.5 1e3 99999999999

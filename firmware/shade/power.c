@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: MIT */
+#include "shade/power.h"
+
+#include "glint.h"
+
+static void run_exact(unsigned n, int32_t *value, int count)
+{
+    for (int i = 0; i < count; i++)
+        value[i] = (int32_t)fx_power_exact(n, value[i]);
+}
+
+const struct glint_power glint_power_exact = {run_exact, 0, 0};
+
+/* v in Q30 to its 2^squarings-th power in Q15; 0 below 0, 1 above 1. A square rounded to 16 bits errs by 2^-17, which
+ * each later one at most doubles: in all below 2^-12. */
+static inline __attribute__((always_inline)) int32_t squared(int32_t v, int squarings)
+{
+    if (v <= 0)
+        return 0;
+    if (v >= (1 << 30) - (1 << 13))
+        return 32768;
+    uint32_t p = ((uint32_t)v + (1u << 13)) >> 14; /* at most 0xffff */
+    for (int i = 0; i < squarings; i++)
+        p = (p * p + (1u << 15)) >> 16; /* p < 2^16: the square and the half below 2^32 */
+    return (int32_t)((p + 1) >> 1);
+}
+
+/* g = 2^squarings. Only 1 - s < min(1, g / n) gives more than 0, so that n (1 - s) / 16 is below 2^30. */
+static inline __attribute__((always_inline)) void run_free(unsigned n, int32_t *value, int count, int squarings)
+{
+    const uint32_t one = 1u << 30, reach = n >> squarings ? (one >> 4) / n << (squarings + 4) : one;
+    for (int i = 0; i < count; i++) {
+        uint32_t below = value[i] >= (int32_t)one ? 0 : one - (uint32_t)value[i];
+        value[i] = below >= reach ? 0 : squared((int32_t)(one - (n * (below >> 4) << (4 - squarings))), squarings);
+    }
+}
+
+/* With |s| <= 1.09 the result is within 1 + 2.09 n / g <= 2^down, so that its format holds it, and n / g 2^-down is
+ * below 1/2. */
+static inline __attribute__((always_inline)) unsigned fold_free(unsigned n, const int32_t value[3],
+                                                                const int32_t bulge[3], int32_t value_out[3],
+                                                                int32_t bulge_out[3], unsigned squarings)
+{
+    unsigned down = 1;
+    while ((16u << squarings << down) < (16u << squarings) + 34 * n)
+        down++;
+    const int32_t slope = (int32_t)(n << (32 - squarings - down)); /* n / g 2^-down in Q32 */
+    const int32_t offset = (1 << (30 - down)) - (slope >> 2);
+    for (int k = 0; k < 3; k++) {
+        value_out[k] = fx_mulhi_s32(value[k] * 65536, slope) + offset;
+        bulge_out[k] = fx_mulhi_s32(bulge[k], slope);
+    }
+    return down;
+}
+
+static inline __attribute__((always_inline)) void run_folded(unsigned down, int32_t *value, int count, int squarings)
+{
+    const int32_t one = 1 << (30 - down);
+    for (int i = 0; i < count; i++)
+        value[i] = value[i] >= one ? 32768 : value[i] <= 0 ? 0 : squared(value[i] << down, squarings);
+}
+
+#define POWER_FREE(gamma, squarings)                                                                               \
+    static void run_##gamma(unsigned n, int32_t *value, int count)                                                 \
+    {                                                                                                              \
+        run_free(n, value, count, squarings);                                                                      \
+    }                                                                                                              \
+    static unsigned fold_##gamma(unsigned n, const int32_t value[3], const int32_t bulge[3], int32_t value_out[3], \
+                                 int32_t bulge_out[3])                                                             \
+    {                                                                                                              \
+        return fold_free(n, value, bulge, value_out, bulge_out, squarings);                                        \
+    }                                                                                                              \
+    static void run_folded_##gamma(unsigned down, int32_t *value, int count)                                       \
+    {                                                                                                              \
+        run_folded(down, value, count, squarings);                                                                 \
+    }                                                                                                              \
+    const struct glint_power glint_power_##gamma = {run_##gamma, fold_##gamma, run_folded_##gamma};
+
+POWER_FREE(4, 2)
+POWER_FREE(8, 3)
+POWER_FREE(16, 4)
