@@ -21,6 +21,7 @@ static const struct main_command main_commands[] = {
     {"info", cmd_info, "say what is in a scene or model"},
     {"methods", cmd_methods, "list the shading methods"},
     {"demo", cmd_demo, "draw a scene's animation by three methods, side by side"},
+    {"report", cmd_report, "measure every method on scenes: a page of pictures, errors and costs"},
 };
 
 #define MAIN_COMMANDS (sizeof main_commands / sizeof *main_commands)

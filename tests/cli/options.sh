@@ -9,7 +9,7 @@ run 'help is printed' 0 "$glint" --help
 matches 'help lists every command' "$top/out" '^  reference '
 run 'version is printed' 0 "$glint" --version
 matches 'version names the program' "$top/out" '^glint [0-9]+\.[0-9]+'
-for command in render pack reference compare info demo; do
+for command in render pack reference compare info demo report; do
     run "$command --help is printed" 0 "$glint" $command --help
     matches "$command --help shows its usage" "$top/out" "^usage: glint $command "
     run "$command refuses an unknown option" 2 "$glint" $command --no-such-option

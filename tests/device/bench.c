@@ -8,16 +8,15 @@
 #include "scene/scene.h"
 #include "tests/device/program.h"
 
-#define WIDTH          320u
-#define HEIGHT         240u
 #define MEMORY         (1536u * 1024u)
+#define BAND           (320u * 240u * 2u) /* bytes */
 #define COUNT(array)   (sizeof array / sizeof array[0])
 #define CALIBRATE_TURN 1000000u
 
 static const struct glint_choice principal[] = {
     {"flat", &glint_flat}, {"gouraud", &glint_gouraud}, {"x", &glint_x}, {"phong", &glint_phong}};
 
-static uint32_t bench_memory[MEMORY / 4], bench_band[WIDTH * HEIGHT * 2 / 4];
+static uint32_t bench_memory[MEMORY / 4], bench_band[BAND / 4];
 
 int bench_frame(struct glint_frame *frame, const void *scene, uint32_t time_ms);
 
@@ -33,17 +32,19 @@ __attribute__((noinline)) int bench_frame(struct glint_frame *frame, const void 
 }
 
 static int bench_init(struct glint_frame *frame, struct glint_config *config, const void *scene,
-                      const struct glint_choice *method, unsigned bands, uint8_t tables)
+                      const struct glint_choice *method, enum glint_format format, unsigned bands, uint8_t tables)
 {
-    *config = (struct glint_config){.width = WIDTH, .height = HEIGHT, .format = GLINT_RGB565};
+    const struct scene_camera *camera = &((const struct scene_header *)scene)->camera;
+    *config = (struct glint_config){.width = camera->reference_width, .height = camera->reference_height};
+    config->format = (uint8_t)format;
     config->method = method->method;
     config->tables = tables;
-    config->band_rows = (uint16_t)((HEIGHT + bands - 1) / bands);
+    config->band_rows = (uint16_t)((config->height + bands - 1) / bands);
     glint_fit_stores(config, scene);
     config->band[0] = bench_band;
     config->memory = bench_memory;
     config->memory_bytes = sizeof bench_memory;
-    return glint_init(frame, config);
+    return glint_band_bytes(config) > sizeof bench_band ? GLINT_E_MEMORY : glint_init(frame, config);
 }
 
 static void bench_fields(struct line *line, const uint32_t *values, unsigned count)
@@ -55,25 +56,62 @@ static void bench_fields(struct line *line, const uint32_t *values, unsigned cou
     line_end(line);
 }
 
+static int bench_complain(const char *scene, const char *method, int error)
+{
+    struct line line = {.length = 0};
+    line_text(&line, "error,");
+    line_text(&line, scene);
+    line_text(&line, ",");
+    line_text(&line, method);
+    line_text(&line, ",");
+    line_decimal(&line, (uint32_t)-error);
+    line_end(&line);
+    return 1;
+}
+
+/* The cost of one frame that holds every triangle. */
+static int bench_cost(const struct program_scene *scene, const struct glint_choice *method)
+{
+    struct glint_config config;
+    struct glint_frame frame;
+    int error = bench_init(&frame, &config, scene->blob, method, GLINT_GREY8, 1, 0);
+    program_count_start();
+    if (error == 0)
+        error = bench_frame(&frame, scene->blob, 0);
+    uint32_t instructions = program_count();
+    if (error == 0 && frame.stats.dropped)
+        error = GLINT_E_MEMORY;
+    if (error != 0)
+        return bench_complain(scene->name, method->name, error);
+    struct line line = {.length = 0};
+    line_text(&line, scene->name);
+    line_text(&line, ",");
+    line_text(&line, method->name);
+    line_text(&line, ",");
+    line_decimal(&line, config.width);
+    line_text(&line, ",");
+    line_decimal(&line, config.height);
+    line_text(&line, ",grey8,");
+    line_decimal(&line, instructions);
+    line_end(&line);
+    return 0;
+}
+
 static int bench_one(const struct program_scene *scene, const struct glint_choice *method, unsigned bands,
                      uint8_t tables)
 {
     struct glint_config config;
     struct glint_frame frame;
     uint32_t instructions[2] = {0, 0};
-    int error = bench_init(&frame, &config, scene->blob, method, bands, tables);
+    int error = bench_init(&frame, &config, scene->blob, method, GLINT_RGB565, bands, tables);
     for (int i = 0; i < 2 && error == 0; i++) {
         program_count_start();
         error = bench_frame(&frame, scene->blob, 0);
         instructions[i] = program_count();
     }
+    if (error != 0)
+        return bench_complain(scene->name, method->name, error);
     struct line line = {.length = 0};
-    if (error != 0) {
-        line_text(&line, "error,");
-        line_decimal(&line, (uint32_t)-error);
-        line_end(&line);
-        return 1;
-    }
     uint32_t drawn = 0, pixels = 0;
     for (int i = 0; i < GLINT_METHODS; i++) {
         drawn += frame.stats.drawn[i];
@@ -114,8 +152,14 @@ static void bench_calibrate(void)
 
 int program_main(int argc, char **argv)
 {
+    int bad = 0;
+    if (argc == 2 && text_equal(argv[1], "grey8")) {
+        for (unsigned s = 0; s < program_scene_count; s++)
+            for (unsigned m = 0; m < glint_choice_count; m++)
+                bad |= bench_cost(&program_scenes[s], &glint_choices[m]);
+        return bad;
+    }
     if (argc < 6) {
-        int bad = 0;
         bench_calibrate();
         for (unsigned s = 0; s < program_scene_count; s++)
             for (unsigned m = 0; m < COUNT(principal); m++)
@@ -132,7 +176,8 @@ int program_main(int argc, char **argv)
             const void *scene = program_scenes[s].blob;
             if (!text_equal(argv[1], program_scenes[s].name) || !text_equal(argv[2], method->name))
                 continue;
-            if (bench_init(&frame, &config, scene, method, text_number(argv[3]), (uint8_t)text_number(argv[4])) != 0)
+            if (bench_init(&frame, &config, scene, method, GLINT_RGB565, text_number(argv[3]),
+                           (uint8_t)text_number(argv[4])) != 0)
                 return 1;
             for (uint32_t i = text_number(argv[5]); i; i--)
                 if (bench_frame(&frame, scene, 0) != 0)

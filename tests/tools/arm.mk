@@ -4,6 +4,7 @@ include boards/mps2/board.mk boards/microbit/board.mk
 
 ARM := arm-none-eabi-
 CPUS := m0plus m3 m4
+REPORT_CPUS := m3 m0plus
 CPU_m0 := -mcpu=cortex-m0
 CPU_m0plus := -mcpu=cortex-m0plus
 CPU_m3 := -mcpu=cortex-m3
@@ -22,7 +23,7 @@ $(SCENE_DIR)/$(1).c: $(call scene_file,$(1)) $(PACK)
 	@mkdir -p $$(@D)
 	$$(Q)$(PACK) pack $$< -o $$@ --name scene_$(subst -,_,$(1)) >/dev/null
 endef
-$(foreach s,$(SCENES),$(eval $(call scene_rule,$(s))))
+$(foreach s,$(sort $(SCENES) $(REPORT_SCENES)),$(eval $(call scene_rule,$(s))))
 
 $(SCENE_DIR)/golden_list.c: tests/tools/scene_list.sh tests/tools/sources.mk
 	@mkdir -p $(@D)
@@ -33,10 +34,15 @@ $(SCENE_DIR)/golden_small_list.c: tests/tools/scene_list.sh
 $(SCENE_DIR)/bench_list.c: tests/tools/scene_list.sh tests/tools/sources.mk
 	@mkdir -p $(@D)
 	$(Q)tests/tools/scene_list.sh $(BENCH_SCENES) >$@
+# REPORT_SCENES may come from the command line: the list is made each time, and is new only when it differs.
+$(SCENE_DIR)/report_list.c: tests/tools/scene_list.sh always
+	@mkdir -p $(@D)
+	$(Q)tests/tools/scene_list.sh $(REPORT_SCENES) >$@.new; cmp -s $@.new $@ && rm $@.new || mv $@.new $@
 
 GOLDEN_C := tests/golden/golden.c $(SCENE_DIR)/golden_list.c $(GOLDEN_SCENES:%=$(SCENE_DIR)/%.c)
 GOLDEN_SMALL_C := tests/golden/golden.c $(SCENE_DIR)/golden_small_list.c $(SCENE_DIR)/mini.c
 BENCH_C := tests/device/bench.c $(SCENE_DIR)/bench_list.c $(BENCH_SCENES:%=$(SCENE_DIR)/%.c)
+REPORT_C := tests/device/bench.c $(SCENE_DIR)/report_list.c $(REPORT_SCENES:%=$(SCENE_DIR)/%.c)
 
 define cpu_rules
 ARM_OBJ_$(1) := $$(CORE_SRC:%.c=$(BUILD)/$(1)/%.o)
@@ -60,6 +66,7 @@ $(BUILD)/$(1)/$(2).elf: $$(patsubst %.c,$(BUILD)/$(1)/%.o,$(3) $$(DEVICE_SRC) $(
 endef
 $(foreach c,$(CPUS),$(eval $(call image_rule,$(c),golden,$(GOLDEN_C),$(MPS2_HAL),$(MPS2_LINK))))
 $(foreach c,$(CPUS),$(eval $(call image_rule,$(c),bench,$(BENCH_C),$(MPS2_HAL),$(MPS2_LINK))))
+$(foreach c,$(REPORT_CPUS),$(eval $(call image_rule,$(c),report,$(REPORT_C),$(MPS2_HAL),$(MPS2_LINK))))
 $(eval $(call image_rule,m0,golden,$(GOLDEN_SMALL_C),$(MICROBIT_HAL),$(MICROBIT_LINK)))
 
 # The same programs on the desktop, in this configuration's compiler and level.

@@ -18,30 +18,24 @@ for cpu in "$@"; do
             printf "  %-12s %8d %8d\n", "in all", all, all_ram
         }'
 done
+printf '\nflash of a program that draws by one method, mem* and libgcc included\n'
+tests/tools/flash.sh "$@" | awk -F, '
+    NR == 1 { next }
+    !($1 in cpus) { cpus[$1] = 1; cpu[++columns] = $1 }
+    !($2 in methods) { methods[$2] = 1; method[++rows] = $2 }
+    { bytes[$1, $2] = $3 }
+    END {
+        printf "  %-24s", ""
+        for (c = 1; c <= columns; c++) printf " %8s", cpu[c]
+        for (r = 1; r <= rows; r++) {
+            printf "\n  %-24s", method[r]
+            for (c = 1; c <= columns; c++) printf " %8d", bytes[cpu[c], method[r]]
+        }
+        print ""
+    }'
+
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-printf '\nflash of a program that draws by one method, mem* and libgcc included\n  %-12s %8s %8s %8s %8s\n' "" flat gouraud x phong
-for cpu in "$@"; do
-    case $cpu in m0plus) flags=-mcpu=cortex-m0plus ;; *) flags=-mcpu=cortex-$cpu ;; esac
-    printf '  %-12s' "$cpu"
-    for method in flat gouraud x phong; do
-        echo "#include \"glint.h\"
-            int entry(struct glint_frame *f, struct glint_config *c, const void *scene, struct glint_band *b);
-            int entry(struct glint_frame *f, struct glint_config *c, const void *scene, struct glint_band *b)
-            {
-                c->method = &glint_$method;
-                glint_fit_stores(c, scene);
-                return glint_scene_check(scene, 1) + glint_init(f, c) + glint_frame_begin(f, scene, 0) +
-                       glint_frame_next_band(f, b);
-            }" >"$work/entry.c"
-        # shellcheck disable=SC2046
-        arm-none-eabi-gcc "$flags" -mthumb -std=c11 -Os -Ifirmware -ffreestanding -nostdlib -Wl,-e,entry,--gc-sections \
-            "$work/entry.c" $(find "$BUILD/$cpu/firmware" -name '*.o') "$BUILD/$cpu/hal/cortexm/mem.o" -lgcc -o "$work/entry.elf" &&
-            printf ' %8d' "$(arm-none-eabi-size "$work/entry.elf" | awk 'NR == 2 { print $1 + $2 }')"
-    done
-    echo
-done
-
 printf '\nbytes taken of the memory given, 32-bit CPU\n'
 record() { # name expression
     echo "#include \"list.h\"

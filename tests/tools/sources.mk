@@ -12,4 +12,7 @@ ALL_SRC = $(shell find firmware hal host-tools boards tests -name '*.[ch]')
 export SCENE_DIR ?= $(BUILD)/scenes
 GOLDEN_SCENES := mini clip back materials torus288 torus800 sphere690 torus288-persp torus800-persp sphere690-persp bench-torus288 demo
 BENCH_SCENES := bench-torus288 bench-torus4000
+# What `make report` measures; the first is the page's summary and the README's.
+with_persp = $(foreach s,$(1),$(s) $(if $(wildcard tests/scenes/$(s)-persp.json),$(s)-persp))
+REPORT_SCENES := $(call with_persp,torus288 torus512 torus800 sphere168 sphere690 serpentine zigzag strip teapot896 bulb pawn)
 export PACK ?= $(BUILD)/glint

@@ -64,6 +64,26 @@ suite-bench: $(BUILD)/bench/device.csv
 bench-table: $(BUILD)/bench/device.csv $(BUILD)/bench/bench
 	@tests/tools/bench.sh $< $(BUILD)/bench/bench
 
+$(REPORT_CPUS:%=$(BUILD)/report/%.csv): $(BUILD)/report/%.csv: $(BUILD)/%/report.elf
+	$(call say,COUNT,$<)
+	@mkdir -p $(@D)
+	$(Q)$(call QEMU,$*) -icount shift=0 -append grey8 -kernel $< >$@.part || { grep '^error' $@.part >&2; false; }
+	$(Q)sed 's/^/$*,/' $@.part >$@ && rm $@.part
+
+$(BUILD)/report/costs.csv: $(REPORT_CPUS:%=$(BUILD)/report/%.csv)
+	$(Q){ echo cpu,scene,method,width,height,format,instructions; cat $^; } >$@
+
+$(BUILD)/report/flash.csv: $(REPORT_CPUS:%=$(BUILD)/%/report.elf) tests/tools/flash.sh
+	@mkdir -p $(@D)
+	$(Q)tests/tools/flash.sh $(REPORT_CPUS) >$@
+
+REPORT_JSON := $(foreach s,$(REPORT_SCENES),$(call scene_file,$(s)))
+$(BUILD)/report/index.html: $(GLINT) $(BUILD)/report/costs.csv $(BUILD)/report/flash.csv $(REPORT_JSON)
+	$(Q)$(GLINT) report -o $(@D) --costs $(@D)/costs.csv --flash $(@D)/flash.csv $(REPORT_JSON)
+
+report-page: $(BUILD)/report/index.html
+	@echo "$<"
+
 profile-run: $(BENCH_ELF)
 	@tests/tools/profile.sh "$(call QEMU,$(or $(CPU),m4)) -kernel" $(BUILD)/$(or $(CPU),m4)/bench.elf \
 		$(or $(RENDER),bench-torus288 x) $(or $(BANDS),1) $(or $(TABLES),1) $(if $(FIRST),1,2)
@@ -89,4 +109,4 @@ lint-run:
 		$(PACKAGE_FLAGS) || status=1; exit $$status
 
 .PHONY: suite-unit suite-exhaustive suite-cli suite-models suite-core suite-golden suite-device suite-docs suite-sanitize \
-	suite-sanitized suite-bench bench-table profile-run size-table stack-table golden-update lint-run
+	suite-sanitized suite-bench bench-table report-page profile-run size-table stack-table golden-update lint-run always

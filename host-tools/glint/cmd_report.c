@@ -1,0 +1,192 @@
+/* SPDX-License-Identifier: MIT */
+#include "glint/cli.h"
+#include "glint/commands.h"
+#include "glint/progress.h"
+#include "glint/renderer.h"
+#include "host/sink.h"
+#include "report/page.h"
+#include "scene/model.h"
+
+#include <errno.h>
+#include <getopt.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static const char report_name[] = "glint report";
+
+static const char report_help[] =
+    "usage: glint report -o FOLDER --costs FILE.csv --flash FILE.csv [OPTION]... SCENE...\n\n"
+    "Draws scenes by every method and measures them against per-pixel Phong in double precision. Writes\n"
+    "FOLDER/index.html, a page with pictures, differences and plots of cost against accuracy, and\n"
+    "FOLDER/report.csv. `make report` counts the costs and calls this. gnuplot draws the plots.\n\n"
+    "  -o, --output FOLDER  made if it is not there\n"
+    "      --costs FILE     cpu,scene,method,width,height,format,instructions: of a frame on m3 and on m0plus\n"
+    "      --flash FILE     cpu,method,bytes: of a program that draws by that method\n"
+    "      --methods A,B    some of `glint methods`; default all\n"
+    "      --help\n";
+
+struct report {
+    const char *folder, *costs_path, *flash_path;
+    const char **methods;
+    unsigned method_count;
+    struct costs costs;
+    char *path[2]; /* the page's and the table's */
+    struct sink sink[2];
+};
+
+enum { REPORT_PAGE, REPORT_TABLE, REPORT_FILES };
+
+/* The method whose name is the first `length` characters, unless it is chosen already. */
+static const char *report_method(const struct report *report, const char *text, size_t length)
+{
+    const char *found = NULL;
+    for (unsigned m = 0; m < glint_choice_count; m++)
+        if (strlen(glint_choices[m].name) == length && strncmp(glint_choices[m].name, text, length) == 0)
+            found = glint_choices[m].name;
+    for (unsigned m = 0; m < report->method_count; m++)
+        if (report->methods[m] == found)
+            return NULL;
+    return found;
+}
+
+/* Of a list with commas. False: something in it is no method, or there twice. */
+static bool report_choose(struct report *report, const char *names)
+{
+    report->method_count = 0;
+    for (;;) {
+        size_t length = strcspn(names, ",");
+        const char *method = report_method(report, names, length);
+        if (!method)
+            return false;
+        report->methods[report->method_count++] = method;
+        if (!names[length])
+            return true;
+        names += length + 1;
+    }
+}
+
+/* Exit code, or -1 to go on. */
+static int report_parse(struct report *report, int argc, char **argv)
+{
+    static const struct option long_options[] = {
+        {"output", required_argument, NULL, 'o'}, {"costs", required_argument, NULL, 'c'},
+        {"flash", required_argument, NULL, 'f'},  {"methods", required_argument, NULL, 'm'},
+        {"help", no_argument, NULL, 'h'},         {0}};
+    int option;
+    for (unsigned m = 0; m < glint_choice_count; m++)
+        report->methods[report->method_count++] = glint_choices[m].name;
+    while ((option = getopt_long(argc, argv, "o:h", long_options, NULL)) != -1) {
+        switch (option) {
+        case 'o':
+            report->folder = optarg;
+            break;
+        case 'c':
+            report->costs_path = optarg;
+            break;
+        case 'f':
+            report->flash_path = optarg;
+            break;
+        case 'm':
+            if (!report_choose(report, optarg))
+                return cli_refuse(report_name, report_help, "methods", optarg);
+            break;
+        case 'h':
+            fputs(report_help, stdout);
+            return CLI_DONE;
+        default:
+            return CLI_BAD_USAGE;
+        }
+    }
+    if (optind == argc)
+        return cli_usage(report_name, "at least one scene is needed");
+    if (!report->folder || !report->folder[0] || !report->costs_path || !report->flash_path)
+        return cli_usage(report_name, "-o, --costs and --flash are needed");
+    return -1;
+}
+
+static int report_problem(const char *path)
+{
+    fprintf(stderr, "%s: %s\n", path, strerror(errno ? errno : EIO));
+    return CLI_IO;
+}
+
+/* Opens both files; `made`: the folder was not there. */
+static int report_open(struct report *report, bool *made)
+{
+    static const char *const names[REPORT_FILES] = {"index.html", "report.csv"};
+    cli_catch_signals();
+    *made = mkdir(report->folder, 0777) == 0;
+    if (!*made && errno != EEXIST)
+        return report_problem(report->folder);
+    for (int i = 0; i < REPORT_FILES; i++) {
+        size_t size = strlen(report->folder) + strlen(names[i]) + 2;
+        report->path[i] = model_alloc(size);
+        snprintf(report->path[i], size, "%s/%s", report->folder, names[i]);
+        if (sink_open(&report->sink[i], report->path[i]) != 0)
+            return report_problem(report->path[i]);
+    }
+    return CLI_DONE;
+}
+
+static int report_scenes(struct report *report, const char *const paths[], unsigned count)
+{
+    FILE *page = report->sink[REPORT_PAGE].stream, *table = report->sink[REPORT_TABLE].stream;
+    struct progress progress;
+    int code = CLI_DONE;
+    page_begin(page, paths, count);
+    page_csv_head(table);
+    progress_begin(&progress, false);
+    for (unsigned i = 0; !code && i < count; i++) {
+        struct survey survey;
+        code = survey_open(&survey, paths[i], report->methods, report->method_count, &report->costs);
+        if (!code && i == 0)
+            page_summary(page, &survey);
+        if (!code)
+            code = page_scene(page, &survey);
+        if (!code)
+            page_csv(table, &survey);
+        survey_free(&survey);
+        if (cli_interrupted())
+            code = CLI_IO;
+        progress_step(&progress, i + 1, count);
+    }
+    progress_end(&progress);
+    page_end(page);
+    return code;
+}
+
+static int report_run(struct report *report, const char *const paths[], unsigned count)
+{
+    bool made = false;
+    int code = costs_read(&report->costs, report->costs_path, report->flash_path);
+    if (!code)
+        code = report_open(report, &made);
+    if (!code)
+        code = report_scenes(report, paths, count);
+    for (int i = REPORT_FILES - 1; i >= 0; i--) /* the table first: a page is never there without it */
+        if (sink_close(&report->sink[i], !code) != 0 && !code)
+            code = report_problem(report->path[i]);
+    if (code && made)
+        rmdir(report->folder);
+    if (!code)
+        printf("%s: %u scene%s by %u methods\n", report->path[REPORT_PAGE], count, count == 1 ? "" : "s",
+               report->method_count);
+    for (int i = 0; i < REPORT_FILES; i++)
+        free(report->path[i]);
+    costs_free(&report->costs);
+    return code;
+}
+
+int cmd_report(int argc, char **argv)
+{
+    struct report report = {.methods = model_alloc(glint_choice_count * sizeof *report.methods)};
+    argv[0] = (char *)(uintptr_t)report_name;
+    int code = report_parse(&report, argc, argv);
+    if (code < 0)
+        code = report_run(&report, (const char *const *)argv + optind, (unsigned)(argc - optind));
+    free(report.methods);
+    return code;
+}

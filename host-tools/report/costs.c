@@ -1,0 +1,171 @@
+/* SPDX-License-Identifier: MIT */
+#include "report/costs.h"
+
+#include "glint/cli.h"
+#include "glint/renderer.h"
+#include "scene/model.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define COSTS_FIELDS 8
+#define COSTS_LINE   256
+
+const char *const costs_cpu_names[COSTS_CPUS] = {[COSTS_M3] = "m3", [COSTS_M0PLUS] = "m0plus"};
+const char *const costs_cpu_titles[COSTS_CPUS] = {[COSTS_M3] = "M3", [COSTS_M0PLUS] = "M0+"};
+
+static const char costs_frames_head[] = "cpu,scene,method,width,height,format,instructions";
+static const char costs_flash_head[] = "cpu,method,bytes";
+
+/* A line's fields in place; takes a line into `costs`, or returns why it will not do. */
+typedef const char *costs_take(struct costs *costs, char *field[COSTS_FIELDS], unsigned line);
+
+static const char *costs_name(char *out, size_t size, const char *text)
+{
+    if (!text[0] || strlen(text) >= size)
+        return "a name is empty or too long";
+    strcpy(out, text);
+    return NULL;
+}
+
+static const char *costs_method(char *out, size_t size, const char *text)
+{
+    return renderer_find(text) ? costs_name(out, size, text) : "no such method; `glint methods` lists them";
+}
+
+static const char *costs_cpu(enum costs_cpu *cpu, const char *text)
+{
+    int choice = cli_choice(text, costs_cpu_names, COSTS_CPUS);
+    *cpu = choice < 0 ? COSTS_M3 : (enum costs_cpu)choice;
+    return choice < 0 ? "the cpu is neither m3 nor m0plus" : NULL;
+}
+
+static const char *costs_take_frame(struct costs *costs, char *field[COSTS_FIELDS], unsigned line)
+{
+    struct costs_frame frame = {.line = line};
+    uint32_t width, height;
+    const char *problem = costs_cpu(&frame.cpu, field[0]);
+    if (!problem)
+        problem = costs_name(frame.scene, sizeof frame.scene, field[1]);
+    if (!problem)
+        problem = costs_method(frame.method, sizeof frame.method, field[2]);
+    if (problem)
+        return problem;
+    if (!cli_number(field[3], 1, GLINT_MAX_SIZE, &width) || !cli_number(field[4], 1, GLINT_MAX_SIZE, &height))
+        return "width and height are 1..2048";
+    if (strcmp(field[5], "grey8") != 0)
+        return "the format is not grey8";
+    if (!cli_number(field[6], 1, UINT32_MAX, &frame.instructions))
+        return "the instructions are no number above 0";
+    if (costs_find_frame(costs, frame.cpu, frame.scene, frame.method))
+        return "a second line for this cpu, scene and method";
+    frame.width = width;
+    frame.height = height;
+    costs->frames = model_grow(costs->frames, costs->frame_count, &costs->frame_room, sizeof frame);
+    costs->frames[costs->frame_count++] = frame;
+    return NULL;
+}
+
+static const char *costs_take_flash(struct costs *costs, char *field[COSTS_FIELDS], unsigned line)
+{
+    struct costs_flash flash;
+    const char *problem = costs_cpu(&flash.cpu, field[0]);
+    (void)line;
+    if (!problem)
+        problem = costs_method(flash.method, sizeof flash.method, field[1]);
+    if (problem)
+        return problem;
+    if (!cli_number(field[2], 1, UINT32_MAX, &flash.bytes))
+        return "the bytes are no number above 0";
+    if (costs_find_flash(costs, flash.cpu, flash.method))
+        return "a second line for this cpu and method";
+    costs->flash = model_grow(costs->flash, costs->flash_count, &costs->flash_room, sizeof flash);
+    costs->flash[costs->flash_count++] = flash;
+    return NULL;
+}
+
+/* Splits at commas; the number of fields, or COSTS_FIELDS if there are as many or more. */
+static unsigned costs_split(char *text, char *field[COSTS_FIELDS])
+{
+    unsigned count = 0;
+    while (count < COSTS_FIELDS) {
+        field[count++] = text;
+        text = strchr(text, ',');
+        if (!text)
+            break;
+        *text++ = 0;
+    }
+    return count;
+}
+
+static const char *costs_line(struct costs *costs, char *text, unsigned line, const char *head, costs_take *take)
+{
+    char *field[COSTS_FIELDS], *end = strchr(text, '\n');
+    unsigned wanted = 1;
+    if (!end)
+        return "no end of line: cut short, or longer than 254 characters";
+    *end = 0;
+    if (line == 1)
+        return strcmp(text, head) == 0 ? NULL : head; /* says what belongs there */
+    for (const char *c = head; *c; c++)
+        wanted += *c == ',';
+    return costs_split(text, field) == wanted ? take(costs, field, line) : head;
+}
+
+static int costs_file(struct costs *costs, const char *path, const char *head, costs_take *take)
+{
+    char text[COSTS_LINE];
+    const char *problem = NULL;
+    unsigned line = 0;
+    errno = 0;
+    FILE *file = fopen(path, "r");
+    while (file && !problem && fgets(text, sizeof text, file))
+        problem = costs_line(costs, text, ++line, head, take);
+    if (!file || ferror(file)) { /* a directory opens, but does not read */
+        fprintf(stderr, "%s: %s\n", path, strerror(errno));
+        if (file)
+            fclose(file);
+        return CLI_IO;
+    }
+    fclose(file);
+    if (!line)
+        fprintf(stderr, "%s: empty\n", path);
+    else if (problem)
+        fprintf(stderr, "%s:%u: %s%s\n", path, line, problem == head ? "the columns are " : "", problem);
+    return line && !problem ? CLI_DONE : CLI_BAD_DATA;
+}
+
+int costs_read(struct costs *costs, const char *frames_path, const char *flash_path)
+{
+    *costs = (struct costs){.frames_path = frames_path, .flash_path = flash_path};
+    int code = costs_file(costs, frames_path, costs_frames_head, costs_take_frame);
+    return code ? code : costs_file(costs, flash_path, costs_flash_head, costs_take_flash);
+}
+
+void costs_free(struct costs *costs)
+{
+    free(costs->frames);
+    free(costs->flash);
+    *costs = (struct costs){0};
+}
+
+const struct costs_frame *costs_find_frame(const struct costs *costs, enum costs_cpu cpu, const char *scene,
+                                           const char *method)
+{
+    for (size_t i = 0; i < costs->frame_count; i++) {
+        const struct costs_frame *frame = &costs->frames[i];
+        if (frame->cpu == cpu && strcmp(frame->scene, scene) == 0 && strcmp(frame->method, method) == 0)
+            return frame;
+    }
+    return NULL;
+}
+
+const struct costs_flash *costs_find_flash(const struct costs *costs, enum costs_cpu cpu, const char *method)
+{
+    for (size_t i = 0; i < costs->flash_count; i++)
+        if (costs->flash[i].cpu == cpu && strcmp(costs->flash[i].method, method) == 0)
+            return &costs->flash[i];
+    return NULL;
+}

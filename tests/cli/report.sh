@@ -1,0 +1,137 @@
+#!/bin/bash
+# SPDX-License-Identifier: MIT
+# A report of one small scene by three methods, its costs given: what the page and the table say, and what is refused.
+. tests/cli/check.inc
+tiny=$scenes/tiny.json
+
+# Costs by which x takes more than phong, which is more exact: x is beaten there, and nothing else is.
+costs() {
+    echo cpu,scene,method,width,height,format,instructions
+    for cpu in m3 m0plus; do
+        echo "$cpu,tiny,gouraud,96,72,grey8,1111000"
+        echo "$cpu,tiny,phong,96,72,grey8,2222000"
+        echo "$cpu,tiny,x,96,72,grey8,3333000"
+    done
+}
+flash() {
+    echo cpu,method,bytes
+    for cpu in m3 m0plus; do
+        for method in gouraud phong x; do echo "$cpu,$method,4${#cpu}99"; done
+    done
+}
+begin() { # an empty folder with good costs
+    fresh
+    costs >costs.csv
+    flash >flash.csv
+}
+report=("$glint" report --costs costs.csv --flash flash.csv --methods 'gouraud,x,phong' -o out)
+count() { grep -o -- "$2" "$1" | wc -l; }
+equal() { # NAME VALUE WANTED
+    if [ "$2" = "$3" ]; then say ok "$1"; else say FAIL "$1" "'$2', not '$3'"; fi
+}
+
+begin
+run 'a report is made' 0 "${report[@]}" "$tiny"
+matches 'it says of what' "$top/out" '^out/index\.html: 1 scene by 3 methods$'
+equal 'a page and a table are all there is' "$(ls -A out | tr '\n' ' ')" 'index.html report.csv '
+
+# the table
+equal 'the table has a line a method, cheapest first' "$(cut -d , -f 2 out/report.csv | tr '\n' ' ')" 'method gouraud phong x '
+equal 'with the costs given, and who beats whom' "$(awk -F, '$2 == "x" { print $9, $10, $11, $12, $13, $14 }' out/report.csv)" \
+    '3333000 4299 phong 3333000 4699 phong'
+equal 'the others are beaten by none' "$(awk -F, 'NR > 1 && $2 != "x" { print $11 $14 }' out/report.csv | tr -d '\n')" ''
+"$glint" reference "$tiny" --format grey8 -o truth.png
+for method in gouraud x phong; do
+    "$glint" render "$tiny" --method $method --format grey8 -o $method.png
+    "$glint" compare $method.png truth.png >$method.txt
+done
+# the table's truth is not rounded: half a step in 255 more or less
+run 'its largest differences are those of the pictures' 0 awk -F, '
+    FILENAME == "out/report.csv" { max[$2] = $7 }
+    /^max/ { split($0, word, " "); name = FILENAME; sub(/\.txt/, "", name); d = max[name] - word[2]; bad += d > .501 || d < -.501 }
+    END { exit bad > 0 }' out/report.csv gouraud.txt x.txt phong.txt
+run 'the more exact has the higher PSNR' 0 awk -F, '
+    { psnr[$2] = $5 } END { exit !(psnr["phong"] > psnr["x"] && psnr["x"] > psnr["gouraud"] && psnr["gouraud"] > 15) }' out/report.csv
+
+# the page
+equal 'the page shows the truth, three pictures and three differences' "$(count out/index.html '<img ')" 7
+equal 'all of them inside it' "$(count out/index.html 'src="data:image/png;base64,')" 7
+equal 'and two plots' "$(count out/index.html '<svg')" 2
+equal 'it runs and loads nothing' "$(grep -ciE '<script|<link|<iframe|@import|url\(.?http|src="[^d]' out/index.html)" 0
+matches 'it fits a phone' out/index.html '<meta name="viewport" content="width=device-width'
+matches 'and follows light or dark' out/index.html 'prefers-color-scheme:dark'
+equal 'who is beaten is said on each cpu' "$(count out/index.html 'beaten by phong')" 2
+equal 'and by nobody else' "$(count out/index.html 'beaten by ')" 2
+matches 'the summary marks the Pareto set' out/index.html '>gouraud</a></td>.*<td class="best">1\.11</td><td class="best">1\.11</td>'
+matches 'and shows who is beaten everywhere' out/index.html '<tr class="beaten"><td><a href="#tiny-x">x</a>.*<td>3\.33</td><td>3\.33</td><td>4299</td>'
+equal 'no id is there twice' "$(grep -oE " id=['\"][^'\"]*" out/index.html | tr -d "'\"" | sort | uniq -d)" ''
+grep -oE ' href="#[^"]*' out/index.html | sed 's/.*#//' | sort -u | while read -r id; do
+    grep -qF "id=\"$id\"" out/index.html || echo "$id"
+done >lost
+equal 'every link leads somewhere' "$(cat lost)" ''
+grep -oE 'alt="tiny by x" src="data:image/png;base64,[^"]*' out/index.html | sed 's/.*base64,//' | base64 -d >inside.png
+run 'the picture in the page is what is drawn' 0 sh -c "'$glint' compare inside.png x.png | grep -q '^psnr_db inf'"
+for cpu in M3 'M0\+'; do
+    matches "a plot says that it is of the ${cpu/\\/}" out/index.html "<text>.*million instructions a frame on $cpu<"
+done
+equal 'every method has its name in both plots' "$(count out/index.html '<text>gouraud<\|<text>x<\|<text>phong<')" 6
+
+# an old report gives way only to a whole one
+cp -r out old
+run 'a scene that is not there leaves the old report' 3 "${report[@]}" "$tiny" no.json
+matches 'and is named' "$top/err" '^no\.json: '
+same 'the page is the old one' out/index.html old/index.html
+run 'the same input gives the same page' 0 "${report[@]}" "$tiny"
+same 'bit by bit' out/index.html old/index.html
+
+# costs that will not do
+bad() { # NAME FILE SED-SCRIPT MESSAGE
+    begin
+    sed -i -E "$3" "$2"
+    run "$1 is refused" 1 "${report[@]}" "$tiny"
+    matches "saying where: $1" "$top/err" "$4"
+}
+bad 'a missing frame' costs.csv '/m3,tiny,x/d' '^costs\.csv: no line for tiny by x on m3$'
+bad 'a missing program' flash.csv '/m0plus,phong/d' '^flash\.csv: no line for phong on m0plus$'
+bad 'a frame of another size' costs.csv 's/x,96,72/x,96,96/' '^costs\.csv:4: 96x96, but tiny is 96x72$'
+bad 'a frame of another format' costs.csv '3s/grey8/rgb565/' '^costs\.csv:3: the format is not grey8$'
+bad 'a method that there is not' costs.csv '2s/gouraud/goraud/' '^costs\.csv:2: no such method'
+bad 'a cpu that there is not' flash.csv '4s/m3/m4/' '^flash\.csv:4: the cpu is neither m3 nor m0plus$'
+bad 'a cost that is no number' costs.csv '2s/1111000/1.1e6/' '^costs\.csv:2: the instructions are no number above 0$'
+bad 'a cost of nothing' costs.csv '2s/1111000/0/' '^costs\.csv:2: '
+bad 'a size of nothing' flash.csv '2s/,4.*/,0/' '^flash\.csv:2: the bytes are no number above 0$'
+bad 'a second count' costs.csv '3p' '^costs\.csv:4: a second line for this cpu, scene and method$'
+bad 'a second size' flash.csv '3p' '^flash\.csv:4: a second line for this cpu and method$'
+bad 'a file without its head' costs.csv 1d '^costs\.csv:1: the columns are cpu,scene,method,'
+bad 'a column too many' flash.csv '2s/$/,1/' '^flash\.csv:2: the columns are cpu,method,bytes$'
+bad 'a file that is empty' costs.csv d '^costs\.csv: empty$'
+bad 'a line without end' flash.csv '5s/$/'"$(printf %300s | tr ' ' x)/" '^flash\.csv:5: no end of line'
+begin
+truncate -s -1 flash.csv
+run 'a file cut short is refused' 1 "${report[@]}" "$tiny"
+rm flash.csv
+run 'a missing file is reported' 3 "${report[@]}" "$tiny"
+mkdir flash.csv
+run 'a folder is no list of costs' 3 "${report[@]}" "$tiny"
+
+begin
+run 'without gnuplot there is no report' 3 env PATH=/nowhere "${report[@]}" "$tiny"
+matches 'and it says so' "$top/err" '^gnuplot: not found'
+mkdir bin
+printf '#!/bin/sh\nexit 1\n' >bin/gnuplot
+chmod +x bin/gnuplot
+run 'nor with one that fails' 3 env PATH="$work/bin:$PATH" "${report[@]}" "$tiny"
+printf '#!/bin/sh\necho nothing\n' >bin/gnuplot
+run 'or draws nothing' 3 env PATH="$work/bin:$PATH" "${report[@]}" "$tiny"
+echo '{}' >empty.json
+run 'a scene without a camera is refused' 1 "${report[@]}" empty.json
+cp "$tiny" 'a b.json'
+run 'a name that a page cannot carry is refused' 1 "${report[@]}" 'a b.json'
+: >out
+run 'a file is no folder for a report' 3 "${report[@]}" "$tiny"
+rm out
+run 'methods that there are not are refused' 2 "${report[@]}" --methods x,y "$tiny"
+run 'nor is one named twice' 2 "${report[@]}" --methods x,x "$tiny"
+run 'a report wants its costs' 2 "$glint" report -o out "$tiny"
+run 'and a scene' 2 "${report[@]}"
+finish
