@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "reference/reference.h"
+#include "reference/method.h"
 
 #include "glint/cli.h"
 #include "glint/commands.h"
@@ -22,8 +22,6 @@ static const char reference_help[] =
     "      --method M         phong (default), or what ideal arithmetic makes of gouraud, x or six\n"
     "      --shininess N      1..1023, replaces every material's exponent\n"
     "      --help\n";
-
-static const char *const reference_methods[] = {"phong", "gouraud", "x", "six"};
 
 struct reference_arguments {
     struct reference_options options;
@@ -52,7 +50,7 @@ static bool reference_value(int option, const char *text, struct reference_argum
         options->grey = choice == 2;
         return choice == 1 || choice == 2;
     case 'm':
-        choice = cli_choice(text, reference_methods, REFERENCE_METHODS);
+        choice = method_find(text);
         options->method = choice < 0 ? REFERENCE_PHONG : (enum reference_method)choice;
         return choice >= 0;
     default:

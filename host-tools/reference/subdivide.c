@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * Methods that treat a part of a mesh better: smaller triangles, or another method. A pixel finds the small triangle it
+ * lies in by walking down from the whole one, so that nothing is stored and no pixel is lost where sizes meet.
+ */
+#include "reference/method.h"
+
+#include "reference/highlight.h"
+#include "scene/vec.h"
+
+#include <math.h>
+#include <string.h>
+
+/* How often an edge is halved at most. */
+#define SUBDIVIDE_DEPTH 6
+
+/* Coordinates in the picture from those in space (power 1), or back (-1), for the corners of `shading`. */
+static void subdivide_project(const struct shading *shading, int power, double at[3])
+{
+    double sum = 0;
+    for (unsigned i = 0; i < 3 && shading->view->perspective; i++) {
+        double distance = -shading->corner[i].position[2];
+        at[i] *= power > 0 ? distance : 1 / distance;
+        sum += at[i];
+    }
+    for (unsigned i = 0; i < 3 && shading->view->perspective; i++)
+        at[i] /= sum;
+}
+
+/* Into the quarter where `at`, in space, lies: that of a corner, or the one between the middles of the edges. */
+static void subdivide_descend(struct shading *part, double at[3])
+{
+    struct decode_vertex middle[3];
+    for (unsigned e = 0; e < 3; e++) {
+        middle[e] = shading_middle(part->corner, e);
+        vec_normalise(middle[e].normal);
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        if (at[i] < .5)
+            continue;
+        part->corner[(i + 1) % 3] = middle[i];
+        part->corner[(i + 2) % 3] = middle[(i + 2) % 3];
+        for (unsigned k = 0; k < 3; k++)
+            at[k] = 2 * at[k] - (k == i);
+        return;
+    }
+    const double between[3] = {1 - 2 * at[2], 1 - 2 * at[0], 1 - 2 * at[1]};
+    memcpy(part->corner, middle, sizeof middle);
+    memcpy(at, between, sizeof between);
+}
+
+/* "Quadratic Interpolation in Hardware Rendering", section 3: is the quadratic wrong in the triangle's centre by more
+ * than the tolerance? */
+static bool subdivide_off_centre(const struct shading *part)
+{
+    static const double centre[3] = {1 / 3., 1 / 3., 1 / 3.};
+    struct decode_vertex v = shading_mix(part->corner, centre);
+    double colour[3], error = 0;
+    vec_normalise(v.normal);
+    shading_point(part, v.position, v.normal, colour);
+    for (unsigned c = 0; c < part->channels; c++)
+        error = fmax(error, fabs(colour[c] - quadratic_value(&part->colour[c], centre)));
+    return error > part->tolerance;
+}
+
+void subdivide_pixel_centre(const struct shading *shading, const double at[3], double colour[3])
+{
+    struct shading part = *shading;
+    double inside[3] = {at[0], at[1], at[2]};
+    subdivide_project(shading, -1, inside);
+    for (unsigned depth = 0; depth < SUBDIVIDE_DEPTH && subdivide_off_centre(&part); depth++) {
+        subdivide_descend(&part, inside);
+        colour_setup_quadratic(&part);
+    }
+    subdivide_project(&part, 1, inside);
+    colour_pixel(&part, inside, colour);
+}
+
+/* The triangle's method from here on. */
+static void subdivide_choose(struct shading *shading, enum reference_method method)
+{
+    shading->method = methods + method;
+    shading->method->setup(shading);
+}
+
+void subdivide_setup_hybrid_phong(struct shading *shading)
+{
+    bool possible = highlight_possible(shading->view, shading->corner);
+    subdivide_choose(shading, possible ? REFERENCE_PHONG : REFERENCE_GOURAUD);
+}
+
+void subdivide_setup_hybrid_x(struct shading *shading)
+{
+    bool possible = highlight_possible(shading->view, shading->corner);
+    subdivide_choose(shading, possible ? REFERENCE_X : REFERENCE_GOURAUD);
+}
