@@ -10,7 +10,6 @@
 
 #include "scene/vec.h"
 
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -19,15 +18,14 @@
 #define NORMAL_PARALLEL 0x1p-10
 /* The cosine of a normal with an edge below which the two are perpendicular. */
 #define NORMAL_UPRIGHT 0x1p-12
-/* |G|^2 is taken as at least this much of |D|^2: as G goes to zero b does, whose direction would be undefined there. */
-#define NORMAL_FLAT 0x1p-8
+/* |G| / |D| below which the edge is nearly perpendicular to the plane of its normals. */
+#define NORMAL_ACROSS .25
 
-/* n(s) on an edge with G as given, |G|^2 not below `least` > 0. */
-static void normal_along(const double n0[3], const double n1[3], const double g[3], double least, double s,
-                         double out[3])
+/* n(s) on an edge with G as given; linear when that is zero. */
+static void normal_along(const double n0[3], const double n1[3], const double g[3], double s, double out[3])
 {
-    double sum[3] = {n0[0] + n1[0], n0[1] + n1[1], n0[2] + n1[2]};
-    double scale = 3 * vec_dot(sum, g) / fmax(vec_dot(g, g), least);
+    double sum[3] = {n0[0] + n1[0], n0[1] + n1[1], n0[2] + n1[2]}, square = vec_dot(g, g);
+    double scale = square > 0 ? 3 * vec_dot(sum, g) / square : 0;
     for (int k = 0; k < 3; k++)
         out[k] = n0[k] + (n1[k] - n0[k]) * s - scale * g[k] * s * (1 - s);
 }
@@ -58,7 +56,7 @@ void normal_setup_overveld(struct shading *shading)
     for (unsigned e = 0; e < 3; e++) {
         double edge[3], middle[3];
         normal_edge(shading, e, edge);
-        normal_along(shading->corner[e].normal, shading->corner[(e + 1) % 3].normal, edge, DBL_MIN, .5, middle);
+        normal_along(shading->corner[e].normal, shading->corner[(e + 1) % 3].normal, edge, .5, middle);
         normal_setup_middle(shading, e, middle);
     }
 }
@@ -70,38 +68,47 @@ static bool normal_zigzag(const double n0[3], const double n1[3], const double e
     return fmin(lean0, lean1) > upright || fmax(lean0, lean1) < -upright;
 }
 
-/* The unit normal of the plane in which the edge's normals turn (section 3.2); false if there is none. */
-static bool normal_plane(const struct shading *shading, unsigned e, double plane[3])
+/* `edge` projected on the plane of a and b; false if they are parallel. */
+static bool normal_project(const double a[3], const double b[3], const double edge[3], double out[3])
 {
-    const double *n0 = shading->corner[e].normal, *n1 = shading->corner[(e + 1) % 3].normal;
-    vec_cross(n0, n1, plane);
-    if (vec_length(plane) < NORMAL_PARALLEL) {
-        double first[3], second[3], face[3];
-        normal_edge(shading, 0, first);
-        normal_edge(shading, 1, second);
-        vec_cross(first, second, face);
-        vec_normalise(face);
-        vec_cross(n0, face, plane);
-        if (vec_length(plane) < NORMAL_PARALLEL)
-            return false;
-    }
-    return vec_normalise(plane);
+    double across[3];
+    vec_cross(a, b, across);
+    if (vec_length(across) < NORMAL_PARALLEL)
+        return false;
+    vec_normalise(across);
+    double off = vec_dot(edge, across);
+    for (int k = 0; k < 3; k++)
+        out[k] = edge[k] - off * across[k];
+    return true;
 }
 
-/* Without a zigzag edge it stays linear. */
+/* G (section 3.2): the edge projected on the plane of its normals. Where these are parallel or the edge is nearly
+ * perpendicular to that plane, the triangle's normal takes the place of the one that leans less along the edge, so that
+ * b goes to zero when both become the triangle's. False: linear. */
+static bool normal_direction(const struct shading *shading, unsigned e, double out[3])
+{
+    const double *n0 = shading->corner[e].normal, *n1 = shading->corner[(e + 1) % 3].normal;
+    double edge[3], next[3], face[3];
+    normal_edge(shading, e, edge);
+    if (!normal_zigzag(n0, n1, edge))
+        return false;
+    if (normal_project(n0, n1, edge, out) && vec_length(out) >= NORMAL_ACROSS * vec_length(edge))
+        return true;
+    normal_edge(shading, (e + 1) % 3, next);
+    vec_cross(edge, next, face);
+    vec_normalise(face);
+    return normal_project(fabs(vec_dot(n0, edge)) > fabs(vec_dot(n1, edge)) ? n0 : n1, face, edge, out);
+}
+
+/* Linear but for its zigzag edges. */
 void normal_setup_biquadratic(struct shading *shading)
 {
     normal_setup_linear(shading);
     for (unsigned e = 0; e < 3; e++) {
-        const double *n0 = shading->corner[e].normal, *n1 = shading->corner[(e + 1) % 3].normal;
-        double edge[3], plane[3], middle[3];
-        normal_edge(shading, e, edge);
-        if (!normal_zigzag(n0, n1, edge) || !normal_plane(shading, e, plane))
+        double direction[3], middle[3];
+        if (!normal_direction(shading, e, direction))
             continue;
-        double least = NORMAL_FLAT * vec_dot(edge, edge), off = vec_dot(edge, plane);
-        for (int k = 0; k < 3; k++)
-            edge[k] -= off * plane[k];
-        normal_along(n0, n1, edge, least, .5, middle);
+        normal_along(shading->corner[e].normal, shading->corner[(e + 1) % 3].normal, direction, .5, middle);
         normal_setup_middle(shading, e, middle);
     }
 }
@@ -132,7 +139,7 @@ static double normal_crossing(const struct shading *shading, const double at[3],
     const struct decode_vertex *a = shading->corner + e, *b = shading->corner + (e + 1) % 3;
     double s = at[(e + 1) % 3] + sign * t * shading->along[(e + 1) % 3], edge[3];
     normal_edge(shading, e, edge);
-    normal_along(a->normal, b->normal, edge, DBL_MIN, s, v->normal);
+    normal_along(a->normal, b->normal, edge, s, v->normal);
     for (int k = 0; k < 3; k++)
         v->position[k] = a->position[k] + s * edge[k];
     return t;
@@ -145,7 +152,7 @@ void normal_pixel_scan(const struct shading *shading, const double at[3], double
     double before = normal_crossing(shading, at, -1, &from), behind = normal_crossing(shading, at, 1, &to), span[3];
     double s = before + behind > 0 ? before / (before + behind) : 0;
     vec_sub(to.position, from.position, span);
-    normal_along(from.normal, to.normal, span, DBL_MIN, s, v.normal);
+    normal_along(from.normal, to.normal, span, s, v.normal);
     vec_normalise(v.normal);
     shading_point(shading, v.position, v.normal, colour);
 }
