@@ -4,6 +4,7 @@
 #include "scene/vec.h"
 
 #include <math.h>
+#include <string.h>
 
 /* The corners' values lie on both sides of zero, which itself counts as both. */
 static bool highlight_between(const double value[3])
@@ -45,4 +46,17 @@ bool highlight_possible(const struct decode_view *view, const struct decode_vert
         if (highlight_under(view, view->lights + l, corner))
             return true;
     return false;
+}
+
+void highlight_mark(const struct decode_view *view, const struct scene_triangle *triangles, uint32_t count,
+                    const struct decode_vertex *vertices, bool *reached, uint32_t vertex_count)
+{
+    memset(reached, 0, vertex_count * sizeof *reached);
+    for (uint32_t t = 0; t < count; t++) {
+        struct decode_vertex corner[3];
+        for (unsigned i = 0; i < 3; i++)
+            corner[i] = vertices[triangles[t].corner[i]];
+        for (unsigned i = 0; highlight_possible(view, corner) && i < 3; i++)
+            reached[triangles[t].corner[i]] = true;
+    }
 }

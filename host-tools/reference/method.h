@@ -9,6 +9,7 @@
 struct method {
     const char *name, *summary;
     bool perspective; /* interpolates over the triangle in space, else over its picture */
+    bool highlight;   /* asks which triangles a highlight can reach */
     void (*setup)(struct shading *shading);
     /* The colour, 0..1 a channel, where the barycentric coordinates are `at`: in space or in the picture. */
     void (*pixel)(const struct shading *shading, const double at[3], double colour[3]);

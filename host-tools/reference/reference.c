@@ -1,28 +1,45 @@
 /* SPDX-License-Identifier: MIT */
 #include "reference/reference.h"
 
+#include "reference/highlight.h"
 #include "reference/triangle.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-static void reference_object(struct triangle_target *target, const struct scene_header *scene,
-                             const struct scene_object *object, uint32_t time_ms, struct decode_vertex *vertices)
+/* The mesh under way. */
+struct reference_mesh {
+    struct decode_vertex vertex[SCENE_MAX_VERTICES + 1];
+    bool reached[SCENE_MAX_VERTICES + 1]; /* by a highlight */
+};
+
+static void reference_triangle(struct triangle_target *target, const struct scene_header *scene,
+                               const struct scene_triangle *triangle, const struct reference_mesh *mesh)
 {
-    const struct scene_mesh *mesh = scene_meshes(scene) + object->mesh;
-    const struct scene_triangle *triangles = scene_at(scene, mesh->triangles);
-    decode_vertices(scene, object, time_ms, vertices);
-    for (uint32_t t = 0; t < mesh->triangle_count; t++) {
-        struct decode_vertex corner[3];
-        struct decode_material material;
-        double bend[3];
-        for (unsigned i = 0; i < 3; i++) {
-            corner[i] = vertices[triangles[t].corner[i]];
-            bend[i] = decode_bend(triangles + t, i);
-        }
-        decode_material(scene, triangles[t].material, &material);
-        triangle_draw(target, &material, corner, bend);
+    struct decode_vertex corner[3];
+    struct decode_material material;
+    double bend[3];
+    target->highlight = false;
+    for (unsigned i = 0; i < 3; i++) {
+        corner[i] = mesh->vertex[triangle->corner[i]];
+        bend[i] = decode_bend(triangle, i);
+        target->highlight = target->highlight || (target->method->highlight && mesh->reached[triangle->corner[i]]);
     }
+    decode_material(scene, triangle->material, &material);
+    triangle_draw(target, &material, corner, bend);
+}
+
+static void reference_object(struct triangle_target *target, const struct scene_header *scene,
+                             const struct scene_object *object, uint32_t time_ms, struct reference_mesh *mesh)
+{
+    const struct scene_mesh *packed = scene_meshes(scene) + object->mesh;
+    const struct scene_triangle *triangles = scene_at(scene, packed->triangles);
+    decode_vertices(scene, object, time_ms, mesh->vertex);
+    if (target->method->highlight)
+        highlight_mark(target->view, triangles, packed->triangle_count, mesh->vertex, mesh->reached,
+                       packed->vertex_count);
+    for (uint32_t t = 0; t < packed->triangle_count; t++)
+        reference_triangle(target, scene, triangles + t, mesh);
 }
 
 static void reference_clear(struct triangle_target *target)
@@ -47,20 +64,20 @@ bool reference_render(const struct scene_header *scene, const struct reference_o
                                      .method = methods + options->method,
                                      .tolerance = (options->tolerance ? options->tolerance : 4) / 255};
     size_t pixels = (size_t)image->width * image->height;
-    struct decode_vertex *vertices = malloc((SCENE_MAX_VERTICES + 1) * sizeof *vertices);
+    struct reference_mesh *mesh = malloc(sizeof *mesh);
     image->value = malloc(pixels * image->channels * sizeof *image->value);
     image->covered = calloc(pixels, 1);
     target.depth = malloc(pixels * sizeof *target.depth);
-    bool done = vertices && image->value && image->covered && target.depth;
+    bool done = mesh && image->value && image->covered && target.depth;
     if (done) {
         decode_view(scene, options->time_ms, image->width, image->height, &view);
         reference_clear(&target);
         for (unsigned o = 0; o < scene->object_count; o++)
-            reference_object(&target, scene, scene_objects(scene) + o, options->time_ms, vertices);
+            reference_object(&target, scene, scene_objects(scene) + o, options->time_ms, mesh);
     } else {
         reference_free(image);
     }
-    free(vertices);
+    free(mesh);
     free(target.depth);
     return done;
 }

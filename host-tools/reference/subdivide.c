@@ -5,7 +5,6 @@
  */
 #include "reference/method.h"
 
-#include "reference/highlight.h"
 #include "scene/vec.h"
 
 #include <math.h>
@@ -85,12 +84,10 @@ static void subdivide_choose(struct shading *shading, enum reference_method meth
 
 void subdivide_setup_hybrid_phong(struct shading *shading)
 {
-    bool possible = highlight_possible(shading->view, shading->corner);
-    subdivide_choose(shading, possible ? REFERENCE_PHONG : REFERENCE_GOURAUD);
+    subdivide_choose(shading, shading->highlight ? REFERENCE_PHONG : REFERENCE_GOURAUD);
 }
 
 void subdivide_setup_hybrid_x(struct shading *shading)
 {
-    bool possible = highlight_possible(shading->view, shading->corner);
-    subdivide_choose(shading, possible ? REFERENCE_X : REFERENCE_GOURAUD);
+    subdivide_choose(shading, shading->highlight ? REFERENCE_X : REFERENCE_GOURAUD);
 }

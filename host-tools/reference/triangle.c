@@ -107,7 +107,7 @@ static void triangle_fill(struct triangle_target *target, const struct shading *
 static void triangle_render(struct triangle_target *target, const struct decode_material *material,
                             struct triangle_corner p[3], const struct decode_vertex shaded[3], const double bend[3])
 {
-    struct shading shading = {.tolerance = target->tolerance};
+    struct shading shading = {.tolerance = target->tolerance, .highlight = target->highlight};
     double along[3];
     for (int i = 0; i < 3; i++)
         triangle_project(target->view, p + i);

@@ -11,6 +11,7 @@ struct triangle_target {
     const struct decode_view *view;
     const struct method *method;
     double tolerance; /* of subdivide-centre: a difference of colour */
+    bool highlight;   /* of the hybrids: the next triangle is to be treated well */
     double *depth;    /* closeness: 1 / distance in perspective, else - distance; -infinity where nothing is */
 };
 
