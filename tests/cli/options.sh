@@ -55,12 +55,15 @@ while read -r option values; do
     done
 done <<'END'
 method flat pong
+tolerance 0 256 .5
 size 0x0 3000x1
 time -5
 format rgb565 grey4
 shininess 1024 0
 END
 run 'reference needs -o' 2 "$glint" reference "$torus"
+run 'reference refuses a form that a method does not have' 2 "$glint" reference "$torus" -o a.png --method gouraud --perspective
+matches 'naming the method' "$top/err" '^glint reference: gouraud has no perspective-correct form'
 
 run 'compare refuses a colour of 5 digits' 2 "$glint" compare a.png b.png --background 12345
 run 'compare refuses a colour of other letters' 2 "$glint" compare a.png b.png --background 12345g
