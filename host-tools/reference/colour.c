@@ -6,12 +6,15 @@
 
 #include <math.h>
 
-/* Gouraud: the corners' colours, linear. */
-void colour_setup_linear(struct shading *shading)
+/* Normals of the mesh are taken as packed, others made unit. */
+static void colour_corners(struct shading *shading, bool packed)
 {
     for (unsigned v = 0; v < 3; v++) {
+        struct decode_vertex corner = shading->corner[v];
         double colour[3];
-        shading_point(shading, shading->corner[v].position, shading->corner[v].normal, colour);
+        if (!packed)
+            vec_normalise(corner.normal);
+        shading_point(shading, corner.position, corner.normal, colour);
         for (unsigned c = 0; c < shading->channels; c++) {
             shading->colour[c].corner[v] = colour[c];
             shading->colour[c].bulge[v] = 0;
@@ -19,10 +22,8 @@ void colour_setup_linear(struct shading *shading)
     }
 }
 
-/* "Quadratic Interpolation in Hardware Rendering", section 2: the middles' colours too, with true unit normals. */
-void colour_setup_quadratic(struct shading *shading)
+static void colour_middles(struct shading *shading)
 {
-    colour_setup_linear(shading);
     for (unsigned e = 0; e < 3; e++) {
         struct decode_vertex middle = shading_middle(shading->corner, e);
         double colour[3];
@@ -31,6 +32,25 @@ void colour_setup_quadratic(struct shading *shading)
         for (unsigned c = 0; c < shading->channels; c++)
             quadratic_middle(&shading->colour[c], e, colour[c]);
     }
+}
+
+/* Gouraud: the corners' colours, linear. */
+void colour_setup_linear(struct shading *shading)
+{
+    colour_corners(shading, true);
+}
+
+/* "Quadratic Interpolation in Hardware Rendering", section 2: the middles' colours too, with true unit normals. */
+void colour_setup_quadratic(struct shading *shading)
+{
+    colour_corners(shading, true);
+    colour_middles(shading);
+}
+
+void colour_setup_part(struct shading *shading)
+{
+    colour_corners(shading, false);
+    colour_middles(shading);
 }
 
 /* A quadratic through six samples in 0..1 can reach from -1/3 to 4/3. */

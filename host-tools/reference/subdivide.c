@@ -13,27 +13,13 @@
 /* How often an edge is halved at most. */
 #define SUBDIVIDE_DEPTH 6
 
-/* Coordinates in the picture from those in space (power 1), or back (-1), for the corners of `shading`. */
-static void subdivide_project(const struct shading *shading, int power, double at[3])
-{
-    double sum = 0;
-    for (unsigned i = 0; i < 3 && shading->view->perspective; i++) {
-        double distance = -shading->corner[i].position[2];
-        at[i] *= power > 0 ? distance : 1 / distance;
-        sum += at[i];
-    }
-    for (unsigned i = 0; i < 3 && shading->view->perspective; i++)
-        at[i] /= sum;
-}
-
-/* Into the quarter where `at`, in space, lies: that of a corner, or the one between the middles of the edges. */
+/* Into the quarter where `at` lies: that of a corner, or the one between the middles of the edges. Normals are halved
+ * as they are: a part's are those of the whole triangle, linear in the picture, and its limit is phong-screen. */
 static void subdivide_descend(struct shading *part, double at[3])
 {
     struct decode_vertex middle[3];
-    for (unsigned e = 0; e < 3; e++) {
+    for (unsigned e = 0; e < 3; e++)
         middle[e] = shading_middle(part->corner, e);
-        vec_normalise(middle[e].normal);
-    }
     for (unsigned i = 0; i < 3; i++) {
         if (at[i] < .5)
             continue;
@@ -66,12 +52,10 @@ void subdivide_pixel_centre(const struct shading *shading, const double at[3], d
 {
     struct shading part = *shading;
     double inside[3] = {at[0], at[1], at[2]};
-    subdivide_project(shading, -1, inside);
     for (unsigned depth = 0; depth < SUBDIVIDE_DEPTH && subdivide_off_centre(&part); depth++) {
         subdivide_descend(&part, inside);
-        colour_setup_quadratic(&part);
+        colour_setup_part(&part);
     }
-    subdivide_project(&part, 1, inside);
     colour_pixel(&part, inside, colour);
 }
 
