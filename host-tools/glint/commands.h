@@ -11,5 +11,6 @@ int cmd_reference(int argc, char **argv);
 int cmd_compare(int argc, char **argv);
 int cmd_info(int argc, char **argv);
 int cmd_demo(int argc, char **argv);
+int cmd_curve(int argc, char **argv);
 
 #endif

@@ -20,6 +20,7 @@ static const struct main_command main_commands[] = {
     {"compare", cmd_compare, "measure how far two pictures differ"},
     {"info", cmd_info, "say what is in a scene or model"},
     {"demo", cmd_demo, "draw a scene's animation by three methods, side by side"},
+    {"curve", cmd_curve, "print a method's error as a table to be plotted"},
 };
 
 #define MAIN_COMMANDS (sizeof main_commands / sizeof *main_commands)

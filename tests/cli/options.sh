@@ -9,7 +9,7 @@ run 'help is printed' 0 "$glint" --help
 matches 'help lists every command' "$top/out" '^  reference '
 run 'version is printed' 0 "$glint" --version
 matches 'version names the program' "$top/out" '^glint [0-9]+\.[0-9]+'
-for command in render pack reference compare info demo; do
+for command in render pack reference compare info demo curve; do
     run "$command --help is printed" 0 "$glint" $command --help
     matches "$command --help shows its usage" "$top/out" "^usage: glint $command "
     run "$command refuses an unknown option" 2 "$glint" $command --no-such-option
@@ -68,6 +68,9 @@ matches 'naming the method' "$top/err" '^glint reference: gouraud has no perspec
 run 'compare refuses a colour of 5 digits' 2 "$glint" compare a.png b.png --background 12345
 run 'compare refuses a colour of other letters' 2 "$glint" compare a.png b.png --background 12345g
 run 'compare wants two pictures' 2 "$glint" compare a.png
+run 'a curve is printed' 0 "$glint" curve x-error
+matches 'from its heading' "$top/out" '^degrees,x_norm,'
+run 'an unknown curve is refused' 2 "$glint" curve y-error
 run 'demo wants a folder' 2 "$glint" demo "$torus"
 run 'demo refuses no frames' 2 "$glint" demo "$torus" out --frames 0
 finish
