@@ -22,6 +22,7 @@ static const char reference_help[] =
     "      --method M         phong (default), or what ideal arithmetic makes of another of the methods below\n"
     "      --perspective      the method's form over the triangle in space: M-perspective\n"
     "      --tolerance N      1..255: how far the centre may be off in subdivide-centre, in 1/255; default 4\n"
+    "      --area N           1..65535 pixels: how large parts stay in subdivide-recursive and -regular; default 32\n"
     "      --shininess N      1..1023, replaces every material's exponent\n"
     "      --help\n\n"
     "methods:\n";
@@ -83,6 +84,11 @@ static bool reference_value(int option, const char *text, struct reference_argum
             return false;
         options->tolerance = number;
         return true;
+    case 'a':
+        if (!cli_number(text, 1, 65535, &number))
+            return false;
+        options->part_area = number;
+        return true;
     default:
         if (!cli_number(text, 1, FX_POWER_MAX_EXPONENT, &number))
             return false;
@@ -94,17 +100,13 @@ static bool reference_value(int option, const char *text, struct reference_argum
 /* Exit code, or -1 to go on. */
 static int reference_parse(int argc, char **argv, struct reference_arguments *arguments)
 {
-    static const struct option long_options[] = {{"output", required_argument, NULL, 'o'},
-                                                 {"output-format", required_argument, NULL, 'O'},
-                                                 {"size", required_argument, NULL, 's'},
-                                                 {"time", required_argument, NULL, 't'},
-                                                 {"format", required_argument, NULL, 'f'},
-                                                 {"method", required_argument, NULL, 'm'},
-                                                 {"perspective", no_argument, NULL, 'p'},
-                                                 {"tolerance", required_argument, NULL, 'e'},
-                                                 {"shininess", required_argument, NULL, 'n'},
-                                                 {"help", no_argument, NULL, 'h'},
-                                                 {0}};
+    static const struct option long_options[] = {
+        {"output", required_argument, NULL, 'o'}, {"output-format", required_argument, NULL, 'O'},
+        {"size", required_argument, NULL, 's'},   {"time", required_argument, NULL, 't'},
+        {"format", required_argument, NULL, 'f'}, {"method", required_argument, NULL, 'm'},
+        {"perspective", no_argument, NULL, 'p'},  {"tolerance", required_argument, NULL, 'e'},
+        {"area", required_argument, NULL, 'a'},   {"shininess", required_argument, NULL, 'n'},
+        {"help", no_argument, NULL, 'h'},         {0}};
     int option, index = 0;
     while ((option = getopt_long(argc, argv, "o:h", long_options, &index)) != -1) {
         switch (option) {

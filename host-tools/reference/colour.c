@@ -47,10 +47,11 @@ void colour_setup_quadratic(struct shading *shading)
     colour_middles(shading);
 }
 
-void colour_setup_part(struct shading *shading)
+void colour_setup_part(struct shading *shading, bool quadratic)
 {
     colour_corners(shading, false);
-    colour_middles(shading);
+    if (quadratic)
+        colour_middles(shading);
 }
 
 /* A quadratic through six samples in 0..1 can reach from -1/3 to 4/3. */

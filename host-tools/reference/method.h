@@ -24,7 +24,7 @@ int method_find(const char *name);
 /* colour.c: finished colour */
 void colour_setup_linear(struct shading *shading);
 void colour_setup_quadratic(struct shading *shading);
-void colour_setup_part(struct shading *shading); /* the same where corners' normals are not unit */
+void colour_setup_part(struct shading *shading, bool quadratic); /* where corners' normals are not unit */
 void colour_pixel(const struct shading *shading, const double at[3], double colour[3]);
 
 /* dots.c: N.L and N.H */
@@ -42,7 +42,9 @@ void normal_pixel(const struct shading *shading, const double at[3], double colo
 void normal_pixel_scan(const struct shading *shading, const double at[3], double colour[3]);
 
 /* subdivide.c: smaller triangles where that shows, or a better method */
+void subdivide_pixel_size(const struct shading *shading, const double at[3], double colour[3]);
 void subdivide_pixel_centre(const struct shading *shading, const double at[3], double colour[3]);
+void subdivide_setup_regular(struct shading *shading);
 void subdivide_setup_hybrid_phong(struct shading *shading);
 void subdivide_setup_hybrid_x(struct shading *shading);
 

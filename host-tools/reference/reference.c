@@ -62,7 +62,8 @@ bool reference_render(const struct scene_header *scene, const struct reference_o
     struct triangle_target target = {.image = image,
                                      .view = &view,
                                      .method = methods + options->method,
-                                     .tolerance = (options->tolerance ? options->tolerance : 4) / 255};
+                                     .tolerance = (options->tolerance ? options->tolerance : 4) / 255,
+                                     .part_area = options->part_area ? options->part_area : 32};
     size_t pixels = (size_t)image->width * image->height;
     struct reference_mesh *mesh = malloc(sizeof *mesh);
     image->value = malloc(pixels * image->channels * sizeof *image->value);

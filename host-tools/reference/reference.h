@@ -31,7 +31,9 @@ enum reference_method {
     REFERENCE_SIX_PERSPECTIVE,
     REFERENCE_DUFF_PERSPECTIVE,
     REFERENCE_BIQUADRATIC_PERSPECTIVE,
+    REFERENCE_SUBDIVIDE_RECURSIVE,
     REFERENCE_SUBDIVIDE_CENTRE,
+    REFERENCE_SUBDIVIDE_REGULAR,
     REFERENCE_HYBRID_PHONG,
     REFERENCE_HYBRID_X,
     REFERENCE_METHODS
@@ -42,6 +44,7 @@ struct reference_options {
     uint32_t time_ms;
     enum reference_method method;
     double tolerance; /* of subdivide-centre, in 1/255; 0: 4 */
+    double part_area; /* of subdivide-recursive and -regular, in pixels; 0: 32 */
     bool grey;        /* shade one channel: Rec. 601 luma of the material's colours under each light */
 };
 

@@ -19,9 +19,12 @@ struct shading {
     /* The material under each light. With one channel, the Rec. 601 luma of these products. */
     double ambient[3], diffuse[SCENE_MAX_LIGHTS][3], specular[SCENE_MAX_LIGHTS][3], shininess;
     struct decode_vertex corner[3];
-    double bend[3];   /* (1 - Ni.Nj) / 2 of the edges */
-    double tolerance; /* of subdivide-centre: a difference of colour */
-    bool highlight;   /* of the hybrids: treat it well */
+    double bend[3]; /* (1 - Ni.Nj) / 2 of the edges */
+    /* What subdivision asks for. */
+    double tolerance; /* of colour, at the centre */
+    double part_area; /* in pixels, not larger */
+    double area;      /* of the triangle */
+    bool highlight;   /* can reach it */
     double along[3];  /* how the barycentric coordinates in the picture grow along a row of pixels, to any scale */
     struct quadratic colour[3];                /* of the channels */
     struct quadratic dot[SCENE_MAX_LIGHTS][2]; /* N.L [0] and N.H [1] of the lights */
@@ -32,7 +35,7 @@ struct shading {
 /* Red, green and blue as they are, or with one channel their Rec. 601 luma. */
 void shading_channels(const double rgb[3], unsigned channels, double *out);
 
-/* The material under each light. The rest is shading_setup()'s, but `tolerance` and `highlight`, the caller's. */
+/* The material under each light. The rest is shading_setup()'s, but what subdivision asks for, the caller's. */
 void shading_material(struct shading *shading, const struct decode_view *view, const struct decode_material *material,
                       unsigned channels);
 

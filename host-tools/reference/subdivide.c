@@ -11,7 +11,7 @@
 #include <string.h>
 
 /* How often an edge is halved at most. */
-#define SUBDIVIDE_DEPTH 6
+#define SUBDIVIDE_DEPTH 5
 
 /* Into the quarter where `at` lies: that of a corner, or the one between the middles of the edges. Normals are halved
  * as they are: a part's are those of the whole triangle, linear in the picture, and its limit is phong-screen. */
@@ -34,6 +34,17 @@ static void subdivide_descend(struct shading *part, double at[3])
     memcpy(at, between, sizeof between);
 }
 
+/* Pseudo-Phong: linear colours in parts of at most `part_area`. */
+void subdivide_pixel_size(const struct shading *shading, const double at[3], double colour[3])
+{
+    struct shading part = *shading;
+    double inside[3] = {at[0], at[1], at[2]}, area = shading->area;
+    for (unsigned depth = 0; depth < SUBDIVIDE_DEPTH && area > shading->part_area; depth++, area /= 4)
+        subdivide_descend(&part, inside);
+    colour_setup_part(&part, false);
+    colour_pixel(&part, inside, colour);
+}
+
 /* "Quadratic Interpolation in Hardware Rendering", section 3: is the quadratic wrong in the triangle's centre by more
  * than the tolerance? */
 static bool subdivide_off_centre(const struct shading *part)
@@ -54,7 +65,7 @@ void subdivide_pixel_centre(const struct shading *shading, const double at[3], d
     double inside[3] = {at[0], at[1], at[2]};
     for (unsigned depth = 0; depth < SUBDIVIDE_DEPTH && subdivide_off_centre(&part); depth++) {
         subdivide_descend(&part, inside);
-        colour_setup_part(&part);
+        colour_setup_part(&part, true);
     }
     colour_pixel(&part, inside, colour);
 }
@@ -64,6 +75,11 @@ static void subdivide_choose(struct shading *shading, enum reference_method meth
 {
     shading->method = methods + method;
     shading->method->setup(shading);
+}
+
+void subdivide_setup_regular(struct shading *shading)
+{
+    subdivide_choose(shading, shading->highlight ? REFERENCE_SUBDIVIDE_RECURSIVE : REFERENCE_GOURAUD);
 }
 
 void subdivide_setup_hybrid_phong(struct shading *shading)

@@ -107,7 +107,8 @@ static void triangle_fill(struct triangle_target *target, const struct shading *
 static void triangle_render(struct triangle_target *target, const struct decode_material *material,
                             struct triangle_corner p[3], const struct decode_vertex shaded[3], const double bend[3])
 {
-    struct shading shading = {.tolerance = target->tolerance, .highlight = target->highlight};
+    struct shading shading = {
+        .tolerance = target->tolerance, .part_area = target->part_area, .highlight = target->highlight};
     double along[3];
     for (int i = 0; i < 3; i++)
         triangle_project(target->view, p + i);
@@ -116,6 +117,7 @@ static void triangle_render(struct triangle_target *target, const struct decode_
         return;
     for (int i = 0; i < 3; i++)
         along[i] = (p[(i + 2) % 3].y - p[(i + 1) % 3].y) / area;
+    shading.area = area / 2 / 256;
     shading_material(&shading, target->view, material, target->image->channels);
     shading_setup(&shading, target->method, shaded, bend, along);
     triangle_fill(target, &shading, p, area);

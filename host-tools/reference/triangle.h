@@ -10,9 +10,9 @@ struct triangle_target {
     struct reference_image *image;
     const struct decode_view *view;
     const struct method *method;
-    double tolerance; /* of subdivide-centre: a difference of colour */
-    bool highlight;   /* of the hybrids: the next triangle is to be treated well */
-    double *depth;    /* closeness: 1 / distance in perspective, else - distance; -infinity where nothing is */
+    double tolerance, part_area; /* as in struct shading */
+    bool highlight;              /* can reach the next triangle */
+    double *depth; /* closeness: 1 / distance in perspective, else - distance; -infinity where nothing is */
 };
 
 /* `bend` as decode_bend() gives it for the three edges. */

@@ -56,6 +56,7 @@ while read -r option values; do
 done <<'END'
 method flat pong
 tolerance 0 256 .5
+area 0 65536 -1
 size 0x0 3000x1
 time -5
 format rgb565 grey4

@@ -325,34 +325,55 @@ static void rows_begin_and_end_with_the_edges_normals(void **state)
     }
 }
 
-/* With no tolerance quarters go down to 1/64 of the edges, where a quadratic is as good as the truth; with all
- * tolerance none is made. */
-static void subdivision_ends_at_the_truth(void **state)
+/* The largest difference from the truth in 1/255 over random places: of `method` as `f` asks for, or if `like` is
+ * another method, from that, which must be none. */
+static double largest(enum reference_method method, double tolerance, double area, enum reference_method like)
 {
-    double whole = 0, parts = 0;
-    (void)state;
+    double most = 0;
     random_seed(9);
     for (int i = 0; i < 10 * TRIANGLES; i++) {
         struct fixture f;
         double at[3] = {random_fraction(), random_fraction(), random_fraction()}, sum = at[0] + at[1] + at[2];
-        double a[3], b[3], c[3];
+        double a[3], b[3];
         for (unsigned k = 0; k < 3; k++)
             at[k] /= sum;
         make(&f, i % 2, .5);
-        truth(&f, at, a);
-        f.shading.tolerance = 0;
-        set(&f, REFERENCE_SUBDIVIDE_CENTRE);
+        f.shading.tolerance = tolerance;
+        f.shading.area = area;
+        f.shading.part_area = 32;
+        f.shading.highlight = true;
+        set(&f, like);
+        colour(&f, at, a);
+        set(&f, method);
         colour(&f, at, b);
-        parts = fmax(parts, 255 * fabs(b[0] - a[0]));
-        f.shading.tolerance = 1;
-        colour(&f, at, b);
-        set(&f, REFERENCE_COLOR6);
-        colour(&f, at, c);
-        assert_colour(b, c, exact);
-        whole = fmax(whole, 255 * fabs(b[0] - a[0]));
+        for (unsigned c = 0; c < 3; c++)
+            most = fmax(most, 255 * fabs(b[c] - a[c]));
     }
-    print_message("largest error in 1/255: %.6f in parts, %.1f whole\n", parts, whole);
-    assert_true(parts < .02 && whole > 5);
+    return most;
+}
+
+/* At 1/32 of the edges a quadratic is as good as the truth but for the crease where a light sets; the line is not. */
+static void subdivision_ends_at_the_truth(void **state)
+{
+    const double limit = 32 * 1024;
+    double whole = largest(REFERENCE_COLOR6, 0, 0, REFERENCE_PHONG);
+    double centre = largest(REFERENCE_SUBDIVIDE_CENTRE, 0, 0, REFERENCE_PHONG);
+    double size = largest(REFERENCE_SUBDIVIDE_RECURSIVE, 0, limit, REFERENCE_PHONG);
+    double regular = largest(REFERENCE_SUBDIVIDE_REGULAR, 0, limit, REFERENCE_PHONG);
+    double linear = largest(REFERENCE_GOURAUD, 0, 0, REFERENCE_PHONG);
+    (void)state;
+    print_message("largest error in 1/255: quadratic %.3f of %.1f, linear %.3f of %.1f\n", centre, whole, size, linear);
+    assert_true(centre < .06 && whole > 10);
+    assert_true(size < .3 && linear > 30);
+    assert_true(regular == size);
+}
+
+static void what_is_small_or_right_is_left_whole(void **state)
+{
+    (void)state;
+    assert_true(largest(REFERENCE_SUBDIVIDE_CENTRE, 1, 0, REFERENCE_COLOR6) < exact);
+    assert_true(largest(REFERENCE_SUBDIVIDE_RECURSIVE, 0, 32, REFERENCE_GOURAUD) < 255 * exact);
+    assert_true(largest(REFERENCE_SUBDIVIDE_RECURSIVE, 0, 33, REFERENCE_GOURAUD) > 1);
 }
 
 int main(void)
@@ -369,6 +390,7 @@ int main(void)
         cmocka_unit_test(flat_triangles_stay_flat),
         cmocka_unit_test(rows_begin_and_end_with_the_edges_normals),
         cmocka_unit_test(subdivision_ends_at_the_truth),
+        cmocka_unit_test(what_is_small_or_right_is_left_whole),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
