@@ -126,18 +126,18 @@ void normal_pixel(const struct shading *shading, const double at[3], double colo
  * There the normal is the edge's, not made unit: the original counts no root in its set-up. */
 static double normal_crossing(const struct shading *shading, const double at[3], double sign, struct decode_vertex *v)
 {
-    double t = INFINITY;
-    unsigned out = 0; /* the coordinate that becomes zero there */
+    double t = INFINITY, fall[3], edge[3]; /* of the coordinates on the way, to some scale */
+    unsigned out = 0;                      /* the coordinate that becomes zero there */
     for (unsigned i = 0; i < 3; i++) {
-        double fall = -sign * shading->along[i];
-        if (fall > 0 && at[i] / fall < t) {
-            t = at[i] / fall;
+        fall[i] = sign * (shading->place[(i + 1) % 3][1] - shading->place[(i + 2) % 3][1]);
+        if (fall[i] > 0 && at[i] / fall[i] < t) {
+            t = at[i] / fall[i];
             out = i;
         }
     }
     unsigned e = (out + 1) % 3;
     const struct decode_vertex *a = shading->corner + e, *b = shading->corner + (e + 1) % 3;
-    double s = at[(e + 1) % 3] + sign * t * shading->along[(e + 1) % 3], edge[3];
+    double s = at[(e + 1) % 3] - t * fall[(e + 1) % 3];
     normal_edge(shading, e, edge);
     normal_along(a->normal, b->normal, edge, s, v->normal);
     for (int k = 0; k < 3; k++)

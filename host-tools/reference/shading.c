@@ -34,12 +34,12 @@ void shading_material(struct shading *shading, const struct decode_view *view, c
 }
 
 void shading_setup(struct shading *shading, const struct method *method, const struct decode_vertex corner[3],
-                   const double bend[3], const double along[3])
+                   const double bend[3], double place[3][2])
 {
     shading->method = method;
     memcpy(shading->corner, corner, sizeof shading->corner);
     memcpy(shading->bend, bend, sizeof shading->bend);
-    memcpy(shading->along, along, sizeof shading->along);
+    memcpy(shading->place, place, sizeof shading->place);
     method->setup(shading);
 }
 

@@ -21,11 +21,10 @@ struct shading {
     struct decode_vertex corner[3];
     double bend[3]; /* (1 - Ni.Nj) / 2 of the edges */
     /* What subdivision asks for. */
-    double tolerance; /* of colour, at the centre */
-    double part_area; /* in pixels, not larger */
-    double area;      /* of the triangle */
-    bool highlight;   /* can reach it */
-    double along[3];  /* how the barycentric coordinates in the picture grow along a row of pixels, to any scale */
+    double tolerance;                          /* of colour, at the centre */
+    double part_area;                          /* in pixels, not larger */
+    bool highlight;                            /* can reach it */
+    double place[3][2];                        /* of the corners in the picture, pixels to the right and down */
     struct quadratic colour[3];                /* of the channels */
     struct quadratic dot[SCENE_MAX_LIGHTS][2]; /* N.L [0] and N.H [1] of the lights */
     struct quadratic normal[3];                /* of the components */
@@ -40,7 +39,7 @@ void shading_material(struct shading *shading, const struct decode_view *view, c
                       unsigned channels);
 
 void shading_setup(struct shading *shading, const struct method *method, const struct decode_vertex corner[3],
-                   const double bend[3], const double along[3]);
+                   const double bend[3], double place[3][2]);
 
 /* N.L [0] and N.H [1] under one light, its direction and the half vector unit at that very position. */
 void shading_dots(const struct shading *shading, unsigned light, const double position[3], const double normal[3],

@@ -34,11 +34,18 @@ static void subdivide_descend(struct shading *part, double at[3])
     memcpy(at, between, sizeof between);
 }
 
+/* In pixels. */
+static double subdivide_area(const struct shading *shading)
+{
+    const double *a = shading->place[0], *b = shading->place[1], *c = shading->place[2];
+    return fabs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
+}
+
 /* Pseudo-Phong: linear colours in parts of at most `part_area`. */
 void subdivide_pixel_size(const struct shading *shading, const double at[3], double colour[3])
 {
     struct shading part = *shading;
-    double inside[3] = {at[0], at[1], at[2]}, area = shading->area;
+    double inside[3] = {at[0], at[1], at[2]}, area = subdivide_area(shading);
     for (unsigned depth = 0; depth < SUBDIVIDE_DEPTH && area > shading->part_area; depth++, area /= 4)
         subdivide_descend(&part, inside);
     colour_setup_part(&part, false);

@@ -109,17 +109,18 @@ static void triangle_render(struct triangle_target *target, const struct decode_
 {
     struct shading shading = {
         .tolerance = target->tolerance, .part_area = target->part_area, .highlight = target->highlight};
-    double along[3];
+    double place[3][2];
     for (int i = 0; i < 3; i++)
         triangle_project(target->view, p + i);
     double area = triangle_side(&p[0], &p[1], p[2].x, p[2].y);
     if (area <= 0)
         return;
-    for (int i = 0; i < 3; i++)
-        along[i] = (p[(i + 2) % 3].y - p[(i + 1) % 3].y) / area;
-    shading.area = area / 2 / 256;
+    for (int i = 0; i < 3; i++) {
+        place[i][0] = p[i].x / 16;
+        place[i][1] = p[i].y / 16;
+    }
     shading_material(&shading, target->view, material, target->image->channels);
-    shading_setup(&shading, target->method, shaded, bend, along);
+    shading_setup(&shading, target->method, shaded, bend, place);
     triangle_fill(target, &shading, p, area);
 }
 

@@ -21,6 +21,7 @@ struct fixture {
     struct decode_view view;
     struct decode_vertex corner[3];
     double bend[3];
+    double place[3][2];
     struct shading shading;
 };
 
@@ -55,8 +56,8 @@ static void finish(struct fixture *f)
     f->shading.tolerance = 4 / 255.;
 }
 
-/* A triangle in front of the eye whose unit normals lean up to `lean` from the viewer's direction, a component. With
- * `near`, point lights and a near viewer in perspective, else all is far away. */
+/* A triangle in front of the eye, and somewhere in the picture, whose unit normals lean up to `lean` from the viewer's
+ * direction, a component. With `near`, point lights and a near viewer in perspective, else all is far away. */
 static void make(struct fixture *f, bool near, double lean)
 {
     start(f, near);
@@ -64,6 +65,7 @@ static void make(struct fixture *f, bool near, double lean)
         static const double place[3][2] = {{-1, -1}, {1, -1}, {0, 1}};
         struct decode_vertex *corner = f->corner + v;
         for (unsigned k = 0; k < 2; k++) {
+            f->place[v][k] = random_real(-20, 20) + (k ? -60 : 60) * place[v][k];
             corner->position[k] = place[v][k] + random_real(-.4, .4);
             corner->normal[k] = random_real(-lean, lean);
         }
@@ -76,8 +78,7 @@ static void make(struct fixture *f, bool near, double lean)
 
 static void set(struct fixture *f, enum reference_method method)
 {
-    static const double along[3] = {-.5, .5, .001};
-    shading_setup(&f->shading, methods + method, f->corner, f->bend, along);
+    shading_setup(&f->shading, methods + method, f->corner, f->bend, f->place);
 }
 
 static void colour(struct fixture *f, const double at[3], double out[3])
@@ -339,7 +340,9 @@ static double largest(enum reference_method method, double tolerance, double are
             at[k] /= sum;
         make(&f, i % 2, .5);
         f.shading.tolerance = tolerance;
-        f.shading.area = area;
+        for (unsigned v = 0; v < 3; v++) /* one of that area */
+            for (unsigned k = 0; k < 2; k++)
+                f.place[v][k] = (v == k + 1) * sqrt(2 * area);
         f.shading.part_area = 32;
         f.shading.highlight = true;
         set(&f, like);

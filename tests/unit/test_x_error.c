@@ -31,19 +31,18 @@ static void the_middle_vector_is_as_long_as_the_paper_draws(void **state)
 /* In the middle of an edge the method itself makes N.L of the light along the bisector, which is that norm. */
 static void x_draws_that_norm(void **state)
 {
-    static const double along[3] = {1, -1, 0};
     static const struct decode_material material = {.diffuse = {1, 1, 1}, .shininess = 1};
     struct decode_view view = {.light_count = 1, .lights = {{.vector = {0, 0, 1}, .colour = {1, 1, 1}}}};
     (void)state;
     for (int degrees = 0; degrees <= 120; degrees++) {
         struct shading shading;
-        double half = degrees * acos(-1) / 360, bend[3] = {pow(sin(half), 2)}, colour[3];
+        double half = degrees * acos(-1) / 360, bend[3] = {pow(sin(half), 2)}, place[3][2] = {{0}}, colour[3];
         struct decode_vertex corner[3] = {{.normal = {sin(half), 0, cos(half)}},
                                           {.normal = {-sin(half), 0, cos(half)}}};
         corner[2] = corner[0];
         bend[1] = bend[0];
         shading_material(&shading, &view, &material, 1);
-        shading_setup(&shading, methods + REFERENCE_X, corner, bend, along);
+        shading_setup(&shading, methods + REFERENCE_X, corner, bend, place);
         shading.method->pixel(&shading, (double[3]){.5, .5, 0}, colour);
         assert_true(fabs(colour[0] - curve_x(degrees).norm) < 1e-12);
     }

@@ -47,9 +47,8 @@ struct triangle {
 static void make(struct triangle *t, struct decode_view *view, double cosine)
 {
     static const struct decode_material material = {.diffuse = {1, 1, 1}, .shininess = 1};
-    static const double along[3] = {1, -1, 0};
     struct decode_vertex corner[3] = {0};
-    double bend[3];
+    double bend[3], place[3][2] = {{0}};
     random_direction(view->lights[0].vector, 3);
     for (unsigned v = 0; v < 3; v++)
         random_within(cosine, corner[v].normal);
@@ -60,7 +59,7 @@ static void make(struct triangle *t, struct decode_view *view, double cosine)
         t->smallest = fmin(t->smallest, dot);
     }
     shading_material(&t->shading, view, &material, 1);
-    shading_setup(&t->shading, methods + REFERENCE_X, corner, bend, along);
+    shading_setup(&t->shading, methods + REFERENCE_X, corner, bend, place);
 }
 
 struct values {
