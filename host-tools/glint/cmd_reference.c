@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "reference/reference.h"
+#include "reference/method.h"
 
 #include "glint/cli.h"
 #include "glint/commands.h"
@@ -19,17 +19,41 @@ static const char reference_help[] =
     "      --size WxH         in pixels, each 1..2048; the default is the camera's\n"
     "      --time MS          the moment of the animation, in milliseconds; default 0\n"
     "      --format F         rgb888 (default) or grey8: Rec. 601 luma, shaded as one channel\n"
-    "      --method M         phong (default), or what ideal arithmetic makes of gouraud, x or six\n"
+    "      --method M         phong (default), or what ideal arithmetic makes of another of the methods below\n"
+    "      --perspective      the method's form over the triangle in space: M-perspective\n"
+    "      --tolerance N      1..255: how far the centre may be off in subdivide-centre, in 1/255; default 4\n"
+    "      --area N           1..65535 pixels: how large parts stay in subdivide-recursive and -regular; default 32\n"
     "      --shininess N      1..1023, replaces every material's exponent\n"
-    "      --help\n";
-
-static const char *const reference_methods[] = {"phong", "gouraud", "x", "six"};
+    "      --help\n\n"
+    "methods:\n";
 
 struct reference_arguments {
     struct reference_options options;
     struct pack_options pack;
     const char *output, *output_format;
+    bool perspective;
 };
+
+static int reference_print_help(void)
+{
+    fputs(reference_help, stdout);
+    for (int i = 0; i < REFERENCE_METHODS; i++)
+        printf("  %-24s %s\n", methods[i].name, methods[i].summary);
+    return CLI_DONE;
+}
+
+/* Makes the method its perspective-correct form, which phong is already. */
+static int reference_perspective(struct reference_options *options)
+{
+    const struct method *method = methods + options->method;
+    char name[64];
+    snprintf(name, sizeof name, "%s-perspective", method->name);
+    int form = method->perspective ? (int)options->method : method_find(name);
+    if (form < 0)
+        return cli_usage(reference_name, "%s has no perspective-correct form", method->name);
+    options->method = (enum reference_method)form;
+    return CLI_DONE;
+}
 
 /* The value of one option; false if it is not one. */
 static bool reference_value(int option, const char *text, struct reference_arguments *arguments)
@@ -52,9 +76,19 @@ static bool reference_value(int option, const char *text, struct reference_argum
         options->grey = choice == 2;
         return choice == 1 || choice == 2;
     case 'm':
-        choice = cli_choice(text, reference_methods, REFERENCE_METHODS);
+        choice = method_find(text);
         options->method = choice < 0 ? REFERENCE_PHONG : (enum reference_method)choice;
         return choice >= 0;
+    case 'e':
+        if (!cli_number(text, 1, 255, &number))
+            return false;
+        options->tolerance = number;
+        return true;
+    case 'a':
+        if (!cli_number(text, 1, 65535, &number))
+            return false;
+        options->part_area = number;
+        return true;
     default:
         if (!cli_number(text, 1, FX_POWER_MAX_EXPONENT, &number))
             return false;
@@ -66,15 +100,13 @@ static bool reference_value(int option, const char *text, struct reference_argum
 /* Exit code, or -1 to go on. */
 static int reference_parse(int argc, char **argv, struct reference_arguments *arguments)
 {
-    static const struct option long_options[] = {{"output", required_argument, NULL, 'o'},
-                                                 {"output-format", required_argument, NULL, 'O'},
-                                                 {"size", required_argument, NULL, 's'},
-                                                 {"time", required_argument, NULL, 't'},
-                                                 {"format", required_argument, NULL, 'f'},
-                                                 {"method", required_argument, NULL, 'm'},
-                                                 {"shininess", required_argument, NULL, 'n'},
-                                                 {"help", no_argument, NULL, 'h'},
-                                                 {0}};
+    static const struct option long_options[] = {
+        {"output", required_argument, NULL, 'o'}, {"output-format", required_argument, NULL, 'O'},
+        {"size", required_argument, NULL, 's'},   {"time", required_argument, NULL, 't'},
+        {"format", required_argument, NULL, 'f'}, {"method", required_argument, NULL, 'm'},
+        {"perspective", no_argument, NULL, 'p'},  {"tolerance", required_argument, NULL, 'e'},
+        {"area", required_argument, NULL, 'a'},   {"shininess", required_argument, NULL, 'n'},
+        {"help", no_argument, NULL, 'h'},         {0}};
     int option, index = 0;
     while ((option = getopt_long(argc, argv, "o:h", long_options, &index)) != -1) {
         switch (option) {
@@ -85,8 +117,10 @@ static int reference_parse(int argc, char **argv, struct reference_arguments *ar
             arguments->output_format = optarg;
             break;
         case 'h':
-            fputs(reference_help, stdout);
-            return CLI_DONE;
+            return reference_print_help();
+        case 'p':
+            arguments->perspective = true;
+            break;
         case '?':
             return CLI_BAD_USAGE;
         default:
@@ -96,7 +130,9 @@ static int reference_parse(int argc, char **argv, struct reference_arguments *ar
     }
     if (argc - optind != 1)
         return cli_usage(reference_name, "one scene or model is needed");
-    return arguments->output ? -1 : cli_usage(reference_name, "-o is missing");
+    if (!arguments->output)
+        return cli_usage(reference_name, "-o is missing");
+    return arguments->perspective && reference_perspective(&arguments->options) ? CLI_BAD_USAGE : -1;
 }
 
 static int reference_write(const struct reference_image *image, struct output *output)

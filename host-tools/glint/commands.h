@@ -13,5 +13,6 @@ int cmd_info(int argc, char **argv);
 int cmd_methods(int argc, char **argv);
 int cmd_demo(int argc, char **argv);
 int cmd_report(int argc, char **argv);
+int cmd_curve(int argc, char **argv);
 
 #endif

@@ -22,6 +22,7 @@ static const struct main_command main_commands[] = {
     {"methods", cmd_methods, "list the shading methods"},
     {"demo", cmd_demo, "draw a scene's animation by three methods, side by side"},
     {"report", cmd_report, "measure every method on scenes: a page of pictures, errors and costs"},
+    {"curve", cmd_curve, "print a method's error as a table to be plotted"},
 };
 
 #define MAIN_COMMANDS (sizeof main_commands / sizeof *main_commands)

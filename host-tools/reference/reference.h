@@ -15,11 +15,27 @@
 
 #include <stdbool.h>
 
+/* Named and described in method.c. */
 enum reference_method {
-    REFERENCE_PHONG,   /* interpolated normal, normalised per pixel */
-    REFERENCE_GOURAUD, /* the corners' colours, linear */
-    REFERENCE_X,       /* N.L and N.H quadratic, from the corners and the packed bend; power per pixel */
-    REFERENCE_SIX,     /* the same with true normals at the middles of the edges */
+    REFERENCE_PHONG,
+    REFERENCE_GOURAUD,
+    REFERENCE_X,
+    REFERENCE_SIX,
+    REFERENCE_COLOR6,
+    REFERENCE_DUFF,
+    REFERENCE_OVERVELD,
+    REFERENCE_OVERVELD_SCAN,
+    REFERENCE_BIQUADRATIC,
+    REFERENCE_PHONG_SCREEN,
+    REFERENCE_X_PERSPECTIVE,
+    REFERENCE_SIX_PERSPECTIVE,
+    REFERENCE_DUFF_PERSPECTIVE,
+    REFERENCE_BIQUADRATIC_PERSPECTIVE,
+    REFERENCE_SUBDIVIDE_RECURSIVE,
+    REFERENCE_SUBDIVIDE_CENTRE,
+    REFERENCE_SUBDIVIDE_REGULAR,
+    REFERENCE_HYBRID_PHONG,
+    REFERENCE_HYBRID_X,
     REFERENCE_METHODS
 };
 
@@ -27,7 +43,9 @@ struct reference_options {
     unsigned width, height; /* 1..2048; both 0: the camera's reference size */
     uint32_t time_ms;
     enum reference_method method;
-    bool grey; /* shade one channel: Rec. 601 luma of the material's colours under each light */
+    double tolerance; /* of subdivide-centre, in 1/255; 0: 4 */
+    double part_area; /* of subdivide-recursive and -regular, in pixels; 0: 32 */
+    bool grey;        /* shade one channel: Rec. 601 luma of the material's colours under each light */
 };
 
 struct reference_image {

@@ -9,7 +9,7 @@ run 'help is printed' 0 "$glint" --help
 matches 'help lists every command' "$top/out" '^  reference '
 run 'version is printed' 0 "$glint" --version
 matches 'version names the program' "$top/out" '^glint [0-9]+\.[0-9]+'
-for command in render pack reference compare info demo report; do
+for command in render pack reference compare info demo report curve; do
     run "$command --help is printed" 0 "$glint" $command --help
     matches "$command --help shows its usage" "$top/out" "^usage: glint $command "
     run "$command refuses an unknown option" 2 "$glint" $command --no-such-option
@@ -60,16 +60,23 @@ while read -r option values; do
     done
 done <<'END'
 method flat pong
+tolerance 0 256 .5
+area 0 65536 -1
 size 0x0 3000x1
 time -5
 format rgb565 grey4
 shininess 1024 0
 END
 run 'reference needs -o' 2 "$glint" reference "$torus"
+run 'reference refuses a form that a method does not have' 2 "$glint" reference "$torus" -o a.png --method gouraud --perspective
+matches 'naming the method' "$top/err" '^glint reference: gouraud has no perspective-correct form'
 
 run 'compare refuses a colour of 5 digits' 2 "$glint" compare a.png b.png --background 12345
 run 'compare refuses a colour of other letters' 2 "$glint" compare a.png b.png --background 12345g
 run 'compare wants two pictures' 2 "$glint" compare a.png
+run 'a curve is printed' 0 "$glint" curve x-error
+matches 'from its heading' "$top/out" '^degrees,x_norm,'
+run 'an unknown curve is refused' 2 "$glint" curve y-error
 run 'demo wants a folder' 2 "$glint" demo "$torus"
 run 'demo refuses no frames' 2 "$glint" demo "$torus" out --frames 0
 finish

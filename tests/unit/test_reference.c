@@ -254,6 +254,39 @@ static void clipping_at_the_near_plane_changes_no_pixel(void **state)
     check_floor(4, 1e-4); /* the cut through the diagonal is snapped to 1/16 pixel */
 }
 
+/* How much a cut through a bent triangle, from z = -4 to -32, changes the pixels behind it. */
+static double cut(enum reference_method method)
+{
+    double largest = 0;
+    struct reference_image image[2];
+    for (int i = 0; i < 2; i++) {
+        scene_start();
+        scene_triangle(scene_vertex(-4, -2, -4, -.6, .8, 0), scene_vertex(4, -2, -4, .6, .8, 0),
+                       scene_vertex(0, 8, -32, 0, .6, .8));
+        scene.header.camera.kind = CAMERA_PERSPECTIVE;
+        scene.header.camera.focal = 32 << 16;
+        scene.header.camera.near_plane = i ? 10 << 16 : 1 << 16;
+        image[i] = draw(method, 0);
+    }
+    assert_true(image[1].coverage > 50 && image[1].coverage < image[0].coverage);
+    for (int i = 0; i < W * H; i++)
+        if (image[1].covered[i])
+            largest = fmax(largest, fabs(image[0].value[i] - image[1].value[i]));
+    reference_free(&image[0]);
+    reference_free(&image[1]);
+    return largest;
+}
+
+/* But for the cut's snapping to 1/16 pixel. In the picture a part is a triangle of its own. */
+static void methods_in_space_do_not_see_the_near_plane(void **state)
+{
+    (void)state;
+    assert_true(cut(REFERENCE_PHONG) < 5e-4);
+    assert_true(cut(REFERENCE_X_PERSPECTIVE) < 5e-4);
+    assert_true(cut(REFERENCE_BIQUADRATIC_PERSPECTIVE) < 5e-4);
+    assert_true(cut(REFERENCE_X) > 2 / 255.);
+}
+
 static void beyond_the_far_plane_nothing_shows(void **state)
 {
     static const double corner[4][3] = {{-10, -10, -20}, {10, -10, -20}, {10, 10, -20}, {-10, 10, -20}};
@@ -438,6 +471,7 @@ int main(void)
         cmocka_unit_test(the_nearer_surface_shows),
         cmocka_unit_test(a_plane_in_perspective_is_lit_where_its_pixels_are),
         cmocka_unit_test(clipping_at_the_near_plane_changes_no_pixel),
+        cmocka_unit_test(methods_in_space_do_not_see_the_near_plane),
         cmocka_unit_test(beyond_the_far_plane_nothing_shows),
         cmocka_unit_test(a_fine_sphere_is_shaded_like_a_sphere),
         cmocka_unit_test(methods_agree_with_their_formulas_at_the_middle_of_an_edge),

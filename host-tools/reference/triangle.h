@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT */
+/* One triangle into the picture: near clip, projection, snapping, coverage, depth. reference.h says by which rules. */
+#ifndef TRIANGLE_H
+#define TRIANGLE_H
+
+#include "reference/decode.h"
+#include "reference/method.h"
+
+struct triangle_target {
+    struct reference_image *image;
+    const struct decode_view *view;
+    const struct method *method;
+    double tolerance, part_area; /* as in struct shading */
+    bool highlight;              /* can reach the next triangle */
+    double *depth; /* closeness: 1 / distance in perspective, else - distance; -infinity where nothing is */
+};
+
+/* `bend` as decode_bend() gives it for the three edges. */
+void triangle_draw(struct triangle_target *target, const struct decode_material *material,
+                   const struct decode_vertex corner[3], const double bend[3]);
+
+#endif
