@@ -15,6 +15,10 @@ void reader_objects(const struct node *objects, struct model *model);
 void reader_lights(const struct node *lights, struct model *model);
 void reader_camera(const struct node *camera, struct model_camera *out);
 
+/* The shapes whose points the mesh's node holds, added to the mesh. */
+void reader_patches(const struct node *mesh_node, struct model_mesh *mesh);
+void reader_triangles(const struct node *mesh_node, struct model_mesh *mesh);
+
 /* "x", "y", "z" or three numbers; made unit. Required. */
 void reader_axis(const struct node *node, double out[3]);
 /* A list of rotate, move and scale steps, each after those before; `pose` holds the first ones. Absent: no step. */

@@ -10,9 +10,10 @@
 #include <string.h>
 
 #define COMMON       " material shading uvs fit"
+#define SHAPES       "torus sphere plane revolution patches triangles"
 #define MOST_COLUMNS 1024
 
-enum shape { TORUS, SPHERE, PLANE, REVOLUTION };
+enum shape { TORUS, SPHERE, PLANE, REVOLUTION, PATCHES, TRIANGLES };
 
 static double length_of(const struct node *node, const char *key, double fallback)
 {
@@ -44,12 +45,11 @@ static void read_revolution(const struct node *node, enum shape_axis axis, struc
 static void read_shape(const struct node *node, struct model_mesh *mesh)
 {
     static const char *const members[] = {
-        "shape axis radius tube rings sides" COMMON,
-        "shape axis radius slices stacks" COMMON,
-        "shape axis size segments" COMMON,
-        "shape axis profile slices crease" COMMON,
+        "shape axis radius tube rings sides" COMMON, "shape axis radius slices stacks" COMMON,
+        "shape axis size segments" COMMON,           "shape axis profile slices crease" COMMON,
+        "shape points patches segments" COMMON,      "shape vertices normals triangles crease" COMMON,
     };
-    enum shape shape = (enum shape)node_member_choice(node, "shape", "torus sphere plane revolution", -1);
+    enum shape shape = (enum shape)node_member_choice(node, "shape", SHAPES, -1);
     enum shape_axis axis = (enum shape_axis)node_member_choice(node, "axis", "x y z", SHAPE_Y);
     node_object(node, members[shape]);
     mesh->has_uvs = true;
@@ -66,8 +66,12 @@ static void read_shape(const struct node *node, struct model_mesh *mesh)
         unsigned segments = node_member_integer(node, "segments", 1, MOST_COLUMNS, 1);
         node_member_vector(node, "size", size, 2, 1e-3, READER_MOST_LENGTH);
         shape_plane(mesh, axis, size, segments);
-    } else
+    } else if (shape == REVOLUTION)
         read_revolution(node, axis, mesh);
+    else if (shape == PATCHES)
+        reader_patches(node, mesh);
+    else
+        reader_triangles(node, mesh);
 }
 
 /* A file name is relative to the scene file's folder. */

@@ -45,6 +45,13 @@ static void the_project_scenes_have_the_counts_in_their_names(void **state)
     check_counts("bench-torus288", 144, 288, 0);
     check_counts("bench-torus4000", 2000, 4000, 0);
     check_counts("demo", 144, 288, 0);
+    check_counts("torus512", 256, 512, 0);
+    check_counts("torus512-persp", 256, 512, 0);
+    check_counts("sphere168", 86, 168, 24);
+    check_counts("sphere168-persp", 86, 168, 24);
+    /* 13 rings of 16 vertices from rim to bottom, a tip, a ring of 8 and 8 of 16 the lid, 9 rings of 8 handle and spout
+     * each: patches share the vertices of their sides */
+    check_counts("teapot896", 13 * 16 + (1 + 8 + 8 * 16) + 2 * 9 * 8, 896, 0);
 }
 
 static void a_coarse_sphere_loses_its_poles_triangles(void **state)

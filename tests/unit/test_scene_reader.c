@@ -59,7 +59,7 @@ static void structure_errors_name_the_place(void **state)
     refuse("{" CAM MESH "\"objects\": [{\"mesh\": 1}]}", " objects[0].mesh: must be a string");
     refuse("{" CAM MESH "\"objects\": [{}]}", " objects[0].mesh: missing");
     refuse("{" CAM "\"meshes\": {\"m\": {\"shape\": \"cube\"}}}",
-           " meshes.m.shape: \"cube\" is none of: torus sphere plane revolution");
+           " meshes.m.shape: \"cube\" is none of: torus sphere plane revolution patches triangles");
     refuse("{" CAM "\"meshes\": {\"m\": {\"shape\": \"plane\", \"tube\": 1}}}",
            " meshes.m: unknown member \"tube\"; known are: shape axis size segments material shading uvs fit");
     refuse("{" CAM "\"meshes\": {\"m\": {}}}", " meshes.m: must be an object with either \"file\" or \"shape\"");
@@ -94,6 +94,96 @@ static void numbers_out_of_range_are_refused(void **state)
            " objects[0].transform[0].rotate[0]: must be \"x\", \"y\", \"z\" or three numbers that are not all zero");
     refuse("{" CAM MESH "\"objects\": [{\"mesh\": \"m\", \"keys\": [{\"time\": 1}, {\"time\": 1.0001}]}]}",
            " objects[0].keys[1]: keys must come in the order of their times, a millisecond apart or more");
+}
+
+/* A scene with one mesh of these members. */
+#define POINTS(members) "{" CAM "\"meshes\": {\"m\": {" members "}}}"
+#define CORNERS         "\"vertices\": [[0, 0, 0], [1, 0, 0], [0, 1, 0]]"
+#define TRIANGLES       "\"shape\": \"triangles\", "
+#define PATCHES         "\"shape\": \"patches\", \"points\": [[0, 0, 0], [1, 0, 0]], "
+
+static void bad_triangles_are_refused(void **state)
+{
+    (void)state;
+    refuse(POINTS(TRIANGLES "\"triangles\": [[0, 1, 2]]"), " meshes.m.vertices: missing");
+    refuse(POINTS(TRIANGLES CORNERS), " meshes.m.triangles: missing");
+    refuse(POINTS(TRIANGLES "\"vertices\": [[0, 0, 0]]"), " meshes.m.vertices: must have 3 to 65535 elements");
+    refuse(POINTS(TRIANGLES "\"vertices\": [0, 1, 2], \"triangles\": [[0, 1, 2]]"),
+           " meshes.m.vertices[0]: must be an array");
+    refuse(POINTS(TRIANGLES "\"vertices\": [[0, 0, 0], [1, 0], [0, 1, 0]], \"triangles\": [[0, 1, 2]]"),
+           " meshes.m.vertices[1]: must have 3 elements");
+    refuse(POINTS(TRIANGLES "\"vertices\": [[0, 0, 0], [1, 0, 2e4], [0, 1, 0]], \"triangles\": [[0, 1, 2]]"),
+           " meshes.m.vertices[1][2]: 20000 is outside -16383 .. 16383");
+    refuse(POINTS(TRIANGLES CORNERS ", \"triangles\": []"), " meshes.m.triangles: must have 1 to 65535 elements");
+    refuse(POINTS(TRIANGLES CORNERS ", \"triangles\": [[0, 1, 2], [0, 1, 3]]"),
+           " meshes.m.triangles[1][2]: 3 is outside 0 .. 2");
+    refuse(POINTS(TRIANGLES CORNERS ", \"triangles\": [[0, 1, 1.5]]"),
+           " meshes.m.triangles[0][2]: must be a whole number");
+    refuse(POINTS(TRIANGLES CORNERS ", \"triangles\": [[0, 1]]"), " meshes.m.triangles[0]: must have 3 elements");
+    refuse(POINTS(TRIANGLES CORNERS ", \"triangles\": [{}]"), " meshes.m.triangles[0]: must be an array");
+    refuse(POINTS(TRIANGLES CORNERS ", \"triangles\": [[0, 1, 2]], \"normals\": [[0, 0, 1], [0, 0, 1]]"),
+           " meshes.m.normals: must have 3 elements");
+    refuse(POINTS(TRIANGLES CORNERS ", \"triangles\": [[0, 1, 2]], \"normals\": [[0, 0, 1], [0, 0, 0], [0, 0, 1]]"),
+           " meshes.m.normals[1]: must not be zero");
+    refuse(POINTS(TRIANGLES CORNERS ", \"triangles\": [[0, 1, 2]], \"normals\": [], \"crease\": 1"),
+           " meshes.m.crease: not together with \"normals\"");
+    refuse(POINTS(TRIANGLES CORNERS ", \"triangles\": [[0, 1, 2]], \"crease\": 181"),
+           " meshes.m.crease: 181 is outside 0 .. 180");
+    refuse(
+        POINTS(TRIANGLES CORNERS ", \"axis\": \"z\""),
+        " meshes.m: unknown member \"axis\"; known are: shape vertices normals triangles crease material shading uvs "
+        "fit");
+}
+
+static void bad_patches_are_refused(void **state)
+{
+    (void)state;
+    refuse(POINTS("\"shape\": \"patches\", \"patches\": [[]]"), " meshes.m.points: missing");
+    refuse(POINTS("\"shape\": \"patches\", \"points\": [], \"patches\": [[]]"),
+           " meshes.m.points: must have 1 to 65535 elements");
+    refuse(POINTS("\"shape\": \"patches\", \"points\": [[0, 0, true]], \"patches\": [[]]"),
+           " meshes.m.points[0][2]: must be a number");
+    refuse(POINTS(PATCHES "\"segments\": 4"), " meshes.m.patches: missing");
+    refuse(POINTS(PATCHES "\"patches\": [[0, 0, 0, 0]]"), " meshes.m.patches[0]: must have 16 elements");
+    refuse(POINTS(PATCHES "\"patches\": [[0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 2]]"),
+           " meshes.m.patches[0][15]: 2 is outside 0 .. 1");
+    refuse(POINTS(PATCHES "\"patches\": [[-1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]]"),
+           " meshes.m.patches[0][0]: -1 is outside 0 .. 1");
+    refuse(POINTS(PATCHES "\"patches\": [], \"segments\": 4"), " meshes.m.patches: must have 1 to 1024 elements");
+    refuse(POINTS(PATCHES "\"patches\": [[]], \"segments\": 33"), " meshes.m.segments: 33 is outside 1 .. 32");
+    refuse("{" CAM "\"meshes\": {\"m\": {" PATCHES
+           "\"patches\": [[0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1]]}}, \"objects\": [{\"mesh\": \"m\"}]}",
+           " mesh \"m\" has no triangle with an area");
+}
+
+static void triangles_without_normals_get_them_from_their_faces(void **state)
+{
+    (void)state;
+    static const char roof[] = "\"meshes\": {\"m\": {\"shape\": \"triangles\", %s \"vertices\": [[0, 0, 0], [0, 1, 0], "
+                               "[1, 0, -1], [-1, 0, -1]], \"triangles\": [[0, 2, 1], [0, 1, 3]]}}, "
+                               "\"objects\": [{\"mesh\": \"m\"}]";
+    static const struct {
+        const char *members;
+        unsigned vertices, normals;
+    } cases[] = {
+        {"", 6, MODEL_NORMALS_SMOOTHED}, /* the ridge is sharper than 45 degrees */
+        {"\"crease\": 100,", 4, MODEL_NORMALS_SMOOTHED},
+        {"\"normals\": [[0, 0, 1], [0, 0, 2], [0, 0, 1], [0, 0, 1]],", 4, MODEL_NORMALS_GIVEN},
+        {"\"crease\": 100, \"shading\": \"flat\",", 6, MODEL_NORMALS_FLAT},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[512];
+        snprintf(text, sizeof text, roof, cases[i].members);
+        struct pack_result r = case_scene(text);
+        assert_int_equal(scene_meshes(r.scene)->triangle_count, 2);
+        assert_int_equal(scene_meshes(r.scene)->vertex_count, cases[i].vertices);
+        assert_int_equal(r.report->meshes[0].normals, cases[i].normals);
+        if (cases[i].vertices == 4) { /* of the ridge's ends, both between the two faces or as given */
+            const struct scene_vertex *v = scene_at(r.scene, scene_meshes(r.scene)->vertices);
+            assert_int_equal(v[0].normal[2], 16384);
+        }
+        pack_free(&r);
+    }
 }
 
 static void cameras_that_see_nothing_are_refused(void **state)
@@ -249,6 +339,9 @@ int main(void)
         cmocka_unit_test(syntax_errors_name_the_line),
         cmocka_unit_test(structure_errors_name_the_place),
         cmocka_unit_test(numbers_out_of_range_are_refused),
+        cmocka_unit_test(bad_triangles_are_refused),
+        cmocka_unit_test(bad_patches_are_refused),
+        cmocka_unit_test(triangles_without_normals_get_them_from_their_faces),
         cmocka_unit_test(cameras_that_see_nothing_are_refused),
         cmocka_unit_test(a_mesh_without_area_is_refused),
         cmocka_unit_test(steps_are_applied_in_their_order),
