@@ -71,9 +71,14 @@ static struct compare_result measure(const char *path, unsigned shininess, const
 }
 
 static const char *const scenes[] = {
-    "tests/scenes/torus288.json",       "tests/scenes/torus800.json",        "tests/scenes/sphere690.json",
-    "tests/scenes/torus288-persp.json", "tests/scenes/torus800-persp.json",  "tests/scenes/sphere690-persp.json",
+    "tests/scenes/torus288.json",       "tests/scenes/torus800.json",
+    "tests/scenes/sphere690.json",      "tests/scenes/torus288-persp.json",
+    "tests/scenes/torus800-persp.json", "tests/scenes/sphere690-persp.json",
     "tests/scenes/bench-torus288.json", "tests/scenes/bench-torus4000.json",
+    "tests/scenes/torus512.json",       "tests/scenes/sphere168-persp.json",
+    "tests/scenes/serpentine.json",     "tests/scenes/zigzag.json",
+    "tests/scenes/strip.json",          "tests/scenes/teapot896.json",
+    "tests/scenes/bulb.json",           "tests/scenes/pawn.json",
 };
 
 #define SCENES (sizeof scenes / sizeof *scenes)
@@ -89,6 +94,12 @@ static enum reference_method ideal_of(const char *name)
     return (enum reference_method)method_find(name); /* -1 for those that the reference does not draw */
 }
 
+/* The strip's far corners have an eighth of the nearest one's 1/w, which is taken from the 16-bit depth. */
+static double most_of(const char *scene)
+{
+    return strstr(scene, "strip") ? 1.6 : 1.5;
+}
+
 /* Rounding to 8 bits is half of a step, the rest what the integers cost. */
 static void every_method_is_its_ideal_rounded(void **state)
 {
@@ -101,7 +112,7 @@ static void every_method_is_its_ideal_rounded(void **state)
             continue; /* what is decided for a triangle may fall out differently: test_subdivide.c */
         for (size_t i = 0; i < SCENES; i++)
             for (size_t n = 0; n < sizeof shininess / sizeof *shininess; n++)
-                if (measure(scenes[i], shininess[n], name, ideal_of(name)).max > 1.5)
+                if (measure(scenes[i], shininess[n], name, ideal_of(name)).max > most_of(scenes[i]))
                     fail_msg("%s, n %u, by %s", scenes[i], shininess[n], name);
         compared++;
     }
