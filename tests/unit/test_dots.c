@@ -1,0 +1,155 @@
+/* SPDX-License-Identifier: MIT */
+/* Six-sample set-up and perspective-correct numerators against double precision. */
+#include "cover.h"
+#include "random.h"
+#include "shade/dots.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <math.h>
+
+#define WIDTH  320
+#define HEIGHT 240
+
+static void the_length_factor_is_one_over_the_root(void **state)
+{
+    (void)state;
+    for (uint32_t bend = 0; bend < 65536; bend++) {
+        double wanted = bend > 65536 - 256 ? 0x1p20 : 0x1p16 / sqrt(1 - bend / 65536.);
+        assert_true(fabs(dots_length_factor(bend) - wanted) < .51 + wanted * 0x1p-20);
+    }
+    assert_int_equal(dots_length_factor(0), 65536);
+}
+
+/* The quadratic through corners and mid-edge samples has those samples. */
+static void the_bulges_bring_back_the_samples(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 100000; i++) {
+        int32_t corner[3], middle[3], bulge[3];
+        struct dots_factors factors = {.stretch = 65536};
+        for (int k = 0; k < 3; k++) {
+            factors.edge[k] = (uint32_t)random_between(65536, 1 << 18);
+            corner[k] = random_between(-16384, 16384);
+            middle[k] = (int32_t)(random_between(-16384, 16384) * 2 / (factors.edge[k] / 65536.));
+        }
+        dots_bulges(corner, middle, &factors, bulge);
+        for (int k = 0; k < 3; k++) {
+            double sample = (corner[k] + corner[(k + 1) % 3]) / 2. - bulge[k] / 65536.;
+            assert_true(fabs(sample - middle[k] * (factors.edge[k] / 131072.)) < .01);
+        }
+    }
+}
+
+/* A triangle of corners at different distances, and a quadratic over it in space. */
+static struct {
+    int16_t place[3][3];
+    int32_t value[3], bulge[3];
+    double s[3]; /* 1/w, to a common factor */
+} given;
+
+static const int16_t *const places[3] = {given.place[0], given.place[1], given.place[2]};
+
+static void random_triangle(int nearest, int farthest)
+{
+    struct cover_point p[3];
+    do
+        for (int k = 0; k < 3; k++)
+            p[k] = (struct cover_point){random_between(-8 * WIDTH, 8 * WIDTH), random_between(-8 * HEIGHT, 8 * HEIGHT)};
+    while (cover_turn(p[0], p[1], p[2]) < 20000);
+    for (int k = 0; k < 3; k++) {
+        given.place[k][0] = (int16_t)p[k].x;
+        given.place[k][1] = (int16_t)p[k].y;
+        given.place[k][VERTEX_DEPTH] = (int16_t)(uint16_t)random_between(farthest, nearest);
+        given.s[k] = (uint16_t)given.place[k][VERTEX_DEPTH] - DEPTH_FAR;
+        given.value[k] = random_between(-16384, 16384);
+        given.bulge[k] = random_between(-(1 << 27), 1 << 27);
+    }
+}
+
+/* Barycentric coordinates of a pixel centre, in the picture and in space; 0 outside. */
+static int coordinates(int x, int y, double screen[3], double space[3])
+{
+    struct cover_point p[3], c = cover_centre(x, y, WIDTH, HEIGHT);
+    for (int k = 0; k < 3; k++)
+        p[k] = (struct cover_point){given.place[k][0], given.place[k][1]};
+    double area = (double)cover_turn(p[0], p[1], p[2]), sum = 0;
+    screen[0] = (double)cover_turn(c, p[1], p[2]) / area;
+    screen[1] = (double)cover_turn(p[0], c, p[2]) / area;
+    screen[2] = (double)cover_turn(p[0], p[1], c) / area;
+    for (int k = 0; k < 3; k++)
+        sum += screen[k] * given.s[k];
+    for (int k = 0; k < 3; k++)
+        space[k] = screen[k] * given.s[k] / sum;
+    return screen[0] >= 0 && screen[1] >= 0 && screen[2] >= 0;
+}
+
+/* Errors in 1/256 of full intensity, the largest, over random pixels of a triangle. */
+static void check_pixels(const struct plane *plane, const struct perspective *perspective,
+                         const struct channel channel[3], double worst[2])
+{
+    for (int i = 0; i < 200; i++) {
+        double screen[3], space[3], linear = 0, bend = 0;
+        int32_t value[3];
+        int x = random_between(0, WIDTH - 1), y = random_between(0, HEIGHT - 1);
+        if (!coordinates(x, y, screen, space))
+            continue;
+        for (int k = 0; k < 3; k++) {
+            linear += given.value[k] * space[k] / 16384;
+            bend += given.bulge[k] * space[k] * space[(k + 1) % 3] * 0x1p-28;
+        }
+        for (int c = 0; c < 3; c++)
+            plane_values(plane, &channel[c], x, y, 1, &value[c]);
+        struct perspective_divisor by = perspective_divisor((uint32_t)value[0], perspective->up);
+        worst[0] = fmax(worst[0], fabs(perspective_divide(value[1], by) * 0x1p-30 - linear) * 256);
+        worst[1] = fmax(worst[1], fabs(perspective_divide_twice(value[2], by) * 0x1p-30 - (linear - bend)) * 256);
+    }
+}
+
+static void check_depths(int nearest, int farthest, double most)
+{
+    double worst[2] = {0, 0};
+    struct shade_input in = {.divides = 1, .place = {places[0], places[1], places[2]}};
+    for (int i = 0; i < 3000; i++) {
+        struct plane plane;
+        struct channel channel[3];
+        struct perspective perspective;
+        random_triangle(nearest, farthest);
+        assert_int_equal(plane_setup(&plane, places, WIDTH, HEIGHT), 1);
+        plane_setup_quadratic(&plane);
+        if (!perspective_setup(&perspective, &in))
+            continue;
+        const int32_t depth[3] = {(uint16_t)given.place[0][VERTEX_DEPTH], (uint16_t)given.place[1][VERTEX_DEPTH],
+                                  (uint16_t)given.place[2][VERTEX_DEPTH]};
+        plane_linear(&plane, depth, &channel[0]);
+        perspective_linear(&perspective, &plane, given.value, &channel[1]);
+        perspective_quadratic(&perspective, &plane, given.value, given.bulge, &channel[2]);
+        if (!channel[0].exact && !channel[2].exact)
+            check_pixels(&plane, &perspective, channel, worst);
+    }
+    print_message("1/w %d..%d: linear off by at most %.4f of 1/256, quadratic by %.4f\n", farthest, nearest, worst[0],
+                  worst[1]);
+    assert_true(worst[0] < most && worst[1] < most && worst[1] > 0);
+}
+
+static void numerators_over_the_depth_are_right_in_perspective(void **state)
+{
+    (void)state;
+    check_depths(65000, 40000, 1 / 32.);
+    check_depths(4000, 1000, 1 / 8.);
+    check_depths(65000, 65000 / 17, 2);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_length_factor_is_one_over_the_root),
+        cmocka_unit_test(the_bulges_bring_back_the_samples),
+        cmocka_unit_test(numerators_over_the_depth_are_right_in_perspective),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
