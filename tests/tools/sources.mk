@@ -2,7 +2,7 @@
 # What there is to build.
 PARTS := fixed scene geometry plan shade raster
 CORE_SRC := $(wildcard firmware/*.c $(PARTS:%=firmware/%/*.c))
-HOST_SRC := $(wildcard hal/host/*.c host-tools/*/*.c)
+HOST_SRC := $(wildcard hal/host/*.c host-tools/*/*.c tests/setups/setup_*.c)
 UNIT_SRC := $(wildcard tests/unit/test_*.c)
 EXHAUSTIVE_SRC := $(wildcard tests/exhaustive/*.c)
 CLI_TESTS := $(wildcard tests/cli/*.sh)
