@@ -45,14 +45,12 @@ static int bench_place(const struct setup_case *c, struct polynomial *out)
     return found;
 }
 
+/* 1 if it was run, as it is unless `only` names another, and every triangle had an answer. */
 static int bench_one(const char *name, bench_setup *setup, const char *only)
 {
     uint32_t sum = 0;
-    if (only) {
-        if (!text_equal(name, only))
-            return 0;
-        return bench_run(setup, &sum) != TRIANGLES;
-    }
+    if (only)
+        return text_equal(name, only) && bench_run(setup, &sum) == TRIANGLES;
     program_count_start();
     int answers = bench_run(setup, &sum);
     uint32_t instructions = program_count();
@@ -63,7 +61,7 @@ static int bench_one(const char *name, bench_setup *setup, const char *only)
     line_text(&line, ",");
     line_decimal(&line, (uint32_t)answers);
     line_end(&line);
-    return answers != TRIANGLES;
+    return answers == TRIANGLES;
 }
 
 int program_main(int argc, char **argv)
@@ -71,8 +69,12 @@ int program_main(int argc, char **argv)
     const char *only = argc > 1 ? argv[1] : 0;
     for (uint32_t i = 0; i < TRIANGLES; i++)
         setup_case_make(&triangles[i], i);
-    int bad = bench_one("nothing", bench_nothing, only) | bench_one("place", bench_place, only);
+    int done = bench_one("nothing", bench_nothing, only) + bench_one("place", bench_place, only);
     for (unsigned k = 0; k < setup_integer_count; k++)
-        bad |= bench_one(setup_integers[k].name, setup_integers[k].setup, only);
-    return bad | bench_one("renderer", setup_renderer, only);
+        done += bench_one(setup_integers[k].name, setup_integers[k].setup, only);
+    done += bench_one("renderer", setup_renderer, only);
+    if (done == (only ? 1 : (int)setup_integer_count + 3))
+        return 0;
+    program_write("bench: no such set-up, or a triangle without an answer\n");
+    return 1;
 }

@@ -11,7 +11,7 @@
 #include <time.h>
 
 #define TRIANGLES 1024
-#define RUNS      400
+#define RUNS      1000
 
 static struct real_case triangles[TRIANGLES];
 static volatile double sink;
@@ -58,61 +58,71 @@ static int steps_nothing(const struct real_case *c, struct step_variables *out)
     return 1;
 }
 
-/* One of each kind; the other is null. */
-static void run(quadratic_setup *quadratic, steps_setup *steps)
+/* One of the two kinds; the other is null. The first of a kind does nothing: the loop and the call alone. */
+struct entry {
+    const char *name;
+    quadratic_setup *quadratic;
+    steps_setup *steps;
+    double best; /* nanoseconds of all triangles */
+};
+static struct entry entries[2 + REAL_SETUPS + STEP_SETUPS];
+static int entry_count;
+
+static void run(const struct entry *e)
 {
-    if (quadratic)
-        bench_run_quadratics(quadratic);
+    if (e->quadratic)
+        bench_run_quadratics(e->quadratic);
     else
-        bench_run_steps(steps);
+        bench_run_steps(e->steps);
 }
 
-static double nanoseconds(quadratic_setup *quadratic, steps_setup *steps)
+static void time_once(struct entry *e)
 {
-    double best = 1e30;
-    for (int i = 0; i < RUNS; i++) {
-        struct timespec from, to;
-        clock_gettime(CLOCK_MONOTONIC, &from);
-        run(quadratic, steps);
-        clock_gettime(CLOCK_MONOTONIC, &to);
-        double took = (double)(to.tv_sec - from.tv_sec) * 1e9 + (double)(to.tv_nsec - from.tv_nsec);
-        best = took < best ? took : best;
-    }
-    return best / TRIANGLES;
+    struct timespec from, to;
+    clock_gettime(CLOCK_MONOTONIC, &from);
+    run(e);
+    clock_gettime(CLOCK_MONOTONIC, &to);
+    double took = (double)(to.tv_sec - from.tv_sec) * 1e9 + (double)(to.tv_nsec - from.tv_nsec);
+    e->best = e->best == 0 || took < e->best ? took : e->best;
 }
 
-/* Returns whether it was the one asked for. */
-static int bench_one(const char *name, const char *only, quadratic_setup *quadratic, steps_setup *steps)
+/* In turns, so that a clock that changes or another program is no single one's burden. */
+static void time_all(void)
 {
-    static double nothing[2];
-    if (only) {
-        if (strcmp(name, only) != 0)
-            return 0;
-        run(quadratic, steps);
-        return 1;
+    const struct entry *nothing = entries;
+    for (int i = 0; i < RUNS; i++)
+        for (int k = 0; k < entry_count; k++)
+            time_once(&entries[k]);
+    for (int k = 0; k < entry_count; k++) {
+        if ((entries[k].quadratic == 0) != (nothing->quadratic == 0))
+            nothing = &entries[k];
+        if (&entries[k] != nothing)
+            printf("%s,%.3f\n", entries[k].name, (entries[k].best - nothing->best) / TRIANGLES);
     }
-    double *base = &nothing[quadratic == 0];
-    double took = nanoseconds(quadratic, steps);
-    if (*base == 0)
-        *base = took; /* the first of a kind is the one that does nothing */
-    else
-        printf("%s,%.3f\n", name, took - *base);
-    return 1;
 }
 
 int main(int argc, char **argv)
 {
-    const char *only = argc > 1 ? argv[1] : 0;
     for (int i = 0; i < TRIANGLES; i++) {
         struct setup_case c;
         setup_case_make(&c, (uint32_t)i);
         triangles[i] = real_of(&c);
     }
-    int found = bench_one("nothing", only, quadratic_nothing, 0);
+    entries[entry_count++] = (struct entry){"nothing", quadratic_nothing, 0, 0};
     for (unsigned k = 0; k < REAL_SETUPS; k++)
-        found |= bench_one(real_setups[k].name, only, real_setups[k].setup, 0);
-    found |= bench_one("steps-nothing", only, 0, steps_nothing);
+        entries[entry_count++] = (struct entry){real_setups[k].name, real_setups[k].setup, 0, 0};
+    entries[entry_count++] = (struct entry){"steps-nothing", 0, steps_nothing, 0};
     for (unsigned k = 0; k < STEP_SETUPS; k++)
-        found |= bench_one(step_setups[k].name, only, 0, step_setups[k].setup);
-    return found && fflush(stdout) == 0 ? 0 : 2;
+        entries[entry_count++] = (struct entry){step_setups[k].name, 0, step_setups[k].setup, 0};
+    if (argc == 1) {
+        time_all();
+        return fflush(stdout) == 0 ? 0 : 3;
+    }
+    for (int k = 0; k < entry_count; k++)
+        if (strcmp(entries[k].name, argv[1]) == 0) {
+            run(&entries[k]);
+            return 0;
+        }
+    fprintf(stderr, "bench_real: no set-up named %s\n", argv[1]);
+    return 2;
 }

@@ -175,6 +175,21 @@ static inline int real_solve_x(const struct real_case *p, const struct real_samp
     return 1;
 }
 
+/* The same a .. e, which are 2T, 2U, 4V, G and H, over Lee and Jen's denominators. */
+static inline int real_solve_x_products(const struct real_case *p, const struct real_samples *s,
+                                        struct real_quadratic *out)
+{
+    const real a = s->i12, b = s->i13, c = a + b - s->i23, d = s->i2 - s->i1 - a, e = s->i3 - s->i1 - b;
+    const real w1 = p->x1 * p->y2, w2 = p->x2 * p->y1, r = 1 / (w1 - w2), r2 = r * r;
+    out->a = (a * p->y2 * p->y2 + b * p->y1 * p->y1 - c * p->y1 * p->y2) * r2;
+    out->b = (a * p->x2 * p->x2 + b * p->x1 * p->x1 - c * p->x1 * p->x2) * r2;
+    out->c = (c * (w1 + w2) - 2 * (b * p->x1 * p->y1 + a * p->x2 * p->y2)) * r2;
+    out->d = (d * p->y2 - e * p->y1) * r;
+    out->e = (e * p->x1 - d * p->x2) * r;
+    out->f = s->i1;
+    return 1;
+}
+
 struct setup_real {
     const char *name;
     void (*sample)(const struct real_case *c, struct real_samples *s);
@@ -196,6 +211,7 @@ REAL(seiler, real_sample_middle, real_solve_seiler)
 REAL(hast, real_sample_middle, real_solve_hast)
 REAL(x, real_sample_x, real_solve_x)
 REAL(x_k, real_sample_x_k, real_solve_x)
+REAL(x_products, real_sample_x_k, real_solve_x_products)
 
 static const struct setup_real real_setups[] = {
     {"lee-jen", real_sample_middle, real_solve_lee_jen, real_lee_jen},
@@ -205,6 +221,7 @@ static const struct setup_real real_setups[] = {
     {"hast", real_sample_middle, real_solve_hast, real_hast},
     {"x", real_sample_x, real_solve_x, real_x},
     {"x-k", real_sample_x_k, real_solve_x, real_x_k},
+    {"x-products", real_sample_x_k, real_solve_x_products, real_x_products},
 };
 #define REAL_SETUPS (sizeof real_setups / sizeof real_setups[0])
 

@@ -14,6 +14,8 @@
  * From the normals alone:
  *   x              X eq. 32 and 18-22
  *   x-k            the same with (Ni.Nj - 1)/2 from the mesh
+ *   x-products     that, and sums of products over the determinant as Lee and Jen's in place of eq. 20-22: what the
+ *                  renderer does
  *
  * All are relative to corner 0 itself, without a sub-pixel step, and each begins with the three dot products N.L.
  */

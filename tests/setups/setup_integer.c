@@ -190,35 +190,41 @@ static inline int32_t over_mixed(const struct plane *p, struct share s)
            fx_mulhi_s32(s.t2, pair(p->x2, p->y2));
 }
 
-static inline int solve_lee_jen(const struct plane *p, const struct setup_samples *s, struct polynomial *out)
+static inline int share_to_screen(const struct plane *p, struct share q, int32_t f, struct polynomial *out)
 {
-    const struct share q = share_terms(s);
     out->a = shifted(fx_mulhi_s32(over_square(q, p->y1, p->y2), p->r2), square_shift(p));
     out->b = shifted(fx_mulhi_s32(over_square(q, p->x1, p->x2), p->r2), square_shift(p));
     out->c = shifted(fx_mulhi_s32(over_mixed(p, q), p->r2), square_shift(p) + 1);
     out->d = shifted(fx_mulhi_s32(q.g * p->y2 - q.h * p->y1, p->half), linear_shift(p));
     out->e = shifted(fx_mulhi_s32(q.h * p->x1 - q.g * p->x2, p->half), linear_shift(p));
-    out->f = (uint32_t)s->value[0] << 16;
+    out->f = (uint32_t)f << 16;
     return 1;
 }
 
-/* 2 C12, 2 C13 and C23 are 2T, 2U and 4V: the same products under other names; C2 and C3 are made otherwise. */
+static inline int solve_lee_jen(const struct plane *p, const struct setup_samples *s, struct polynomial *out)
+{
+    return share_to_screen(p, share_terms(s), s->value[0], out);
+}
+
+/* X's a, b, c, d, e are 2T, 2U, 4V, G, H. */
+static inline int solve_x_products(const struct plane *p, const struct setup_samples *s, struct polynomial *out)
+{
+    const struct unit q = unit_of_x(s);
+    return share_to_screen(p, (struct share){q.a, q.b, q.c, q.d, q.e}, s->value[0], out);
+}
+
+/* 2 C12, 2 C13 and C23 are 2T, 2U and 4V, and C2, C3 are G, H: the same under other names, but for how they are made.
+ * 4(I12 - I1) + I1 - I2: as printed, 4 I12 - 3 I1 - I2, it may pass 2^31 on the way. */
 static inline int solve_abbas_safe(const struct plane *p, const struct setup_samples *s, struct polynomial *out)
 {
     const int32_t i1 = s->value[0] * (1 << 14), i2 = s->value[1] * (1 << 14), i3 = s->value[2] * (1 << 14);
     const int32_t i12 = s->edge[0], i23 = s->edge[1], i13 = s->edge[2];
-    const struct share q = {
-        .t2 = 2 * (i1 + i2 - 2 * i12), .u2 = 2 * (i1 + i3 - 2 * i13), .v4 = 4 * (i1 - i12 - i13 + i23)};
-    /* 4(I12 - I1) + I1 - I2: as printed, 4 I12 - 3 I1 - I2 may pass 2^31 on the way */
-    const int32_t c2 = ((i12 - i1 + (1 << 11)) >> 12) + s->value[0] - s->value[1];
-    const int32_t c3 = ((i13 - i1 + (1 << 11)) >> 12) + s->value[0] - s->value[2];
-    out->a = shifted(fx_mulhi_s32(over_square(q, p->y1, p->y2), p->r2), square_shift(p));
-    out->b = shifted(fx_mulhi_s32(over_square(q, p->x1, p->x2), p->r2), square_shift(p));
-    out->c = shifted(fx_mulhi_s32(over_mixed(p, q), p->r2), square_shift(p) + 1);
-    out->d = shifted(fx_mulhi_s32(c2 * p->y2 - c3 * p->y1, p->half), linear_shift(p));
-    out->e = shifted(fx_mulhi_s32(c3 * p->x1 - c2 * p->x2, p->half), linear_shift(p));
-    out->f = (uint32_t)s->value[0] << 16;
-    return 1;
+    const struct share q = {.t2 = 2 * (i1 + i2 - 2 * i12),
+                            .u2 = 2 * (i1 + i3 - 2 * i13),
+                            .v4 = 4 * (i1 - i12 - i13 + i23),
+                            .g = ((i12 - i1 + (1 << 11)) >> 12) + s->value[0] - s->value[1],
+                            .h = ((i13 - i1 + (1 << 11)) >> 12) + s->value[0] - s->value[2]};
+    return share_to_screen(p, q, s->value[0], out);
 }
 
 /* n 2^up / d for d > 0; the quotient fits. n is taken up to its full length first. */
@@ -287,6 +293,7 @@ SETUP(seiler, sample_middle, solve_seiler)
 SETUP(hast, sample_middle, solve_hast)
 SETUP(x, sample_x, solve_x)
 SETUP(x_k, sample_x_k, solve_x)
+SETUP(x_products, sample_x_k, solve_x_products)
 
 const struct setup_integer setup_integers[] = {
     {"lee-jen", sample_middle, solve_lee_jen, setup_lee_jen},
@@ -296,5 +303,6 @@ const struct setup_integer setup_integers[] = {
     {"hast", sample_middle, solve_hast, setup_hast},
     {"x", sample_x, solve_x, setup_x},
     {"x-k", sample_x_k, solve_x, setup_x_k},
+    {"x-products", sample_x_k, solve_x_products, setup_x_products},
 };
 const unsigned setup_integer_count = sizeof setup_integers / sizeof setup_integers[0];

@@ -102,7 +102,7 @@ static void samples_are_those_of_normalised_and_of_approximated_normals(void **s
                 s = six_of_x(&s);
                 wanted = light * (5 - dot) / 8;
             }
-            assert_true(fabs(s.i12 - wanted) < (real_setups[k].name[1] == '-' ? 0x1p-18 : 1e-12));
+            assert_true(fabs(s.i12 - wanted) < (real_setups[k].name[1] ? 0x1p-18 : 1e-12));
         }
     }
 }
@@ -147,13 +147,24 @@ static void integers_agree_with_double_precision(void **state)
     }
 }
 
-/* Any shape that a polynomial holds, to 250 pixels, in any turn: the ways without a division by a coordinate, from the
- * same six samples. The worst are the thinnest. */
+/* No side longer than twice the height over it. */
+static int is_stout(const struct real_case *c)
+{
+    double x = c->x2 - c->x1, y = c->y2 - c->y1;
+    double longest = fmax(c->x1 * c->x1 + c->y1 * c->y1, fmax(c->x2 * c->x2 + c->y2 * c->y2, x * x + y * y));
+    return 2 * fabs(c->x1 * c->y2 - c->x2 * c->y1) >= longest;
+}
+
+/*
+ * Any shape that a polynomial holds, to 250 pixels, in any turn: the ways without a division by a coordinate, from the
+ * same six samples. The thinnest are allowed 1/5 display unit as the renderer's are (shade/plane.c), the stout have the
+ * bound above.
+ */
 static void those_without_special_cases_hold_for_any_shape(void **state)
 {
     (void)state;
-    double worst = 0;
-    long level = 0;
+    double worst[2] = {0}; /* of the stout; of all */
+    long level = 0, tested[2] = {0};
     random_seed(53);
     for (int n = 0; n < 100000; n++) {
         struct setup_case integer;
@@ -181,13 +192,19 @@ static void those_without_special_cases_hold_for_any_shape(void **state)
             random_point(&u, &v);
             double off =
                 256 * fabs(value_at(&got, u * c.x1 + v * c.x2, u * c.y1 + v * c.y2) - six_samples_at(&six, u, v));
-            worst = fmax(worst, off);
+            int stout = is_stout(&c);
+            worst[0] = stout ? fmax(worst[0], off) : worst[0];
+            worst[1] = fmax(worst[1], off);
+            tested[0] += stout;
+            tested[1]++;
             level += c.y1 == 0;
         }
     }
-    print_message("at most %.5f display units off, %ld with y1 = 0\n", worst, level);
-    assert_true(level > 10000);
-    assert_true(worst < 1 / 17.);
+    print_message("%ld stout ones at most %.5f display units off, %ld in all %.5f, %ld with y1 = 0\n", tested[0],
+                  worst[0], tested[1], worst[1], level);
+    assert_true(tested[0] > 40000 && level > 50000);
+    assert_true(worst[0] < 1 / 55.);
+    assert_true(worst[1] < 1 / 5.);
 }
 
 /* Moved to a pixel's centre, and from N.L as a vertex record has it. */
