@@ -80,6 +80,9 @@ test-exhaustive: deps-test ## Whole domains of the fixed-point functions (minute
 bench: deps-test ## Instructions a frame on Cortex-M0+, M3, M4 and the host; writes build/bench/bench.csv
 	$(Q)$(MAKE) --no-print-directory bench-table
 
+bench-setup: deps-test ## The papers' quadratic set-ups: operations, instructions, seconds; writes build/bench/setup.csv
+	$(Q)$(MAKE) --no-print-directory bench-setup-table
+
 figures: deps-test ## Write the README's figures of quality and cost anew
 	$(Q)$(MAKE) --no-print-directory bench-table tool
 	$(Q)tests/tools/figures.sh $(GLINT) $(BUILD)/bench/bench.csv README.md
@@ -156,4 +159,4 @@ include tests/tools/suites.mk
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
 .PHONY: all tool demo test test-unit test-cli test-models test-core test-golden test-device test-sanitize test-exhaustive \
-	bench figures profile size stack golden lint format check-format deps deps-demo deps-test clean help
+	bench bench-setup figures profile size stack golden lint format check-format deps deps-demo deps-test clean help
