@@ -83,6 +83,9 @@ bench: deps-test ## Instructions a frame on Cortex-M0+, M3, M4 and the host; wri
 report: deps-test ## Pictures, errors and costs of every method on every scene, into build/report/index.html
 	$(Q)$(MAKE) --no-print-directory report-page
 
+bench-setup: deps-test ## The papers' quadratic set-ups: operations, instructions, seconds; writes build/bench/setup.csv
+	$(Q)$(MAKE) --no-print-directory bench-setup-table
+
 figures: deps-test ## Write the README's figures of quality and cost anew
 	$(Q)$(MAKE) --no-print-directory bench-table report-page
 	$(Q)tests/tools/figures.sh $(GLINT) $(BUILD)/bench/bench.csv $(BUILD)/report/report.csv README.md
@@ -159,4 +162,4 @@ include tests/tools/suites.mk
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
 .PHONY: all tool demo test test-unit test-cli test-models test-core test-golden test-device test-sanitize test-exhaustive \
-	bench report figures profile size stack golden lint format check-format deps deps-demo deps-test clean help
+	bench bench-setup report figures profile size stack golden lint format check-format deps deps-demo deps-test clean help

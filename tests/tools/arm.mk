@@ -43,6 +43,7 @@ GOLDEN_C := tests/golden/golden.c $(SCENE_DIR)/golden_list.c $(GOLDEN_SCENES:%=$
 GOLDEN_SMALL_C := tests/golden/golden.c $(SCENE_DIR)/golden_small_list.c $(SCENE_DIR)/mini.c
 BENCH_C := tests/device/bench.c $(SCENE_DIR)/bench_list.c $(BENCH_SCENES:%=$(SCENE_DIR)/%.c)
 REPORT_C := tests/device/bench.c $(SCENE_DIR)/report_list.c $(REPORT_SCENES:%=$(SCENE_DIR)/%.c)
+SETUP_C := tests/setups/bench.c $(SETUP_SRC)
 
 define cpu_rules
 ARM_OBJ_$(1) := $$(CORE_SRC:%.c=$(BUILD)/$(1)/%.o)
@@ -67,6 +68,7 @@ endef
 $(foreach c,$(CPUS),$(eval $(call image_rule,$(c),golden,$(GOLDEN_C),$(MPS2_HAL),$(MPS2_LINK))))
 $(foreach c,$(CPUS),$(eval $(call image_rule,$(c),bench,$(BENCH_C),$(MPS2_HAL),$(MPS2_LINK))))
 $(foreach c,$(REPORT_CPUS),$(eval $(call image_rule,$(c),report,$(REPORT_C),$(MPS2_HAL),$(MPS2_LINK))))
+$(foreach c,$(CPUS),$(eval $(call image_rule,$(c),setup,$(SETUP_C),$(MPS2_HAL),$(MPS2_LINK))))
 $(eval $(call image_rule,m0,golden,$(GOLDEN_SMALL_C),$(MICROBIT_HAL),$(MICROBIT_LINK)))
 
 # The same programs on the desktop, in this configuration's compiler and level.
@@ -78,6 +80,18 @@ $(BUILD)/bench/bench: $(BENCH_C) $(HOST_PROGRAM) $(CORE_LIB)
 	$(call say,LINK,$@)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CORE_FLAGS) $(OPT) -g $(CFLAGS) $^ -o $@
+$(BUILD)/bench/setup: $(SETUP_C) $(HOST_PROGRAM) $(CORE_LIB)
+	$(call say,LINK,$@)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CORE_FLAGS) $(OPT) -g $(CFLAGS) $^ -o $@
+$(BUILD)/bench/setup_real: tests/setups/bench_real.c tests/setups/setup_case.c $(CORE_LIB) $(wildcard tests/setups/*.h)
+	$(call say,LINK,$@)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(HOST_FLAGS) -fno-math-errno $(OPT) -g $(CFLAGS) $(filter-out %.h,$^) -lm -o $@
+$(BUILD)/bench/setup_count: tests/setups/count.cc $(wildcard tests/setups/*.h)
+	$(call say,LINK,$@)
+	@mkdir -p $(@D)
+	$(Q)clang -x c++ -std=c++14 -fno-exceptions -fno-rtti $(WARN) $< -lm -o $@
 
 QEMU = qemu-system-arm $(QEMU_$(1)) -display none -serial none -monitor none -chardev file,id=out,path=/dev/stdout \
 	-semihosting-config enable=on,target=native,chardev=out

@@ -84,6 +84,14 @@ $(BUILD)/report/index.html: $(GLINT) $(BUILD)/report/costs.csv $(BUILD)/report/f
 report-page: $(BUILD)/report/index.html
 	@echo "$<"
 
+$(BUILD)/bench/setup-%.csv: $(BUILD)/%/setup.elf
+	@mkdir -p $(@D)
+	@$(call QEMU,$*) -icount shift=0 -kernel $< >$@.part && mv $@.part $@
+
+bench-setup-table: $(CPUS:%=$(BUILD)/bench/setup-%.csv) $(BUILD)/bench/setup $(BUILD)/bench/setup_real $(BUILD)/bench/setup_count
+	@tests/tools/bench_setup.sh $(BUILD)/bench/setup_count $(BUILD)/bench/setup $(BUILD)/bench/setup_real \
+		$(foreach c,$(CPUS),$(c)=$(BUILD)/bench/setup-$(c).csv)
+
 profile-run: $(BENCH_ELF)
 	@tests/tools/profile.sh "$(call QEMU,$(or $(CPU),m4)) -kernel" $(BUILD)/$(or $(CPU),m4)/bench.elf \
 		$(or $(RENDER),bench-torus288 x) $(or $(BANDS),1) $(or $(TABLES),1) $(if $(FIRST),1,2)
@@ -109,4 +117,5 @@ lint-run:
 		$(PACKAGE_FLAGS) || status=1; exit $$status
 
 .PHONY: suite-unit suite-exhaustive suite-cli suite-models suite-core suite-golden suite-device suite-docs suite-sanitize \
-	suite-sanitized suite-bench bench-table report-page profile-run size-table stack-table golden-update lint-run always
+	suite-sanitized suite-bench bench-table bench-setup-table report-page profile-run size-table stack-table golden-update lint-run \
+	always
