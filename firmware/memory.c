@@ -72,13 +72,10 @@ size_t glint_memory_needed(const struct glint_config *c)
 
 static struct palette palette_of(enum glint_format format)
 {
-    static const struct palette palettes[GLINT_FORMATS] = {
-        {3, {31, 63, 31}},
-        {3, {255, 255, 255}},
-        {1, {255, 0, 0}},
-        {1, {15, 0, 0}},
-    };
-    return palettes[format];
+    struct palette palette = {format == GLINT_RGB565 || format == GLINT_RGB888 ? 3 : 1, {0, 0, 0}};
+    for (unsigned c = 0; c < palette.channels; c++)
+        palette.top[c] = raster_top(format, c);
+    return palette;
 }
 
 int glint_init(struct glint_frame *f, const struct glint_config *c)

@@ -62,6 +62,19 @@ struct raster {
 
 struct triangle_ref;
 
+/* The largest value of an output channel. */
+static inline uint8_t raster_top(unsigned format, unsigned channel)
+{
+    switch (format) {
+    case GLINT_RGB565:
+        return channel == 1 ? 63 : 31;
+    case GLINT_GREY4:
+        return 15;
+    default:
+        return 255;
+    }
+}
+
 /* A method: how a triangle is set up, and its pixels. */
 struct glint_method {
     uint8_t id;           /* enum glint_method_id */

@@ -22,32 +22,67 @@ void raster_lengths(struct raster *r, int x, int y, int n)
     }
 }
 
-/* Tests and writes the depth of n pixels: a bit for each that is nearer than what was there, counted in *drawn. */
-static inline uint32_t test_depth(const int32_t *value, uint16_t *depth, int n, uint32_t *drawn)
+/* Tests and writes the depth of the pixels left of `end`: a bit for each that is nearer than what was there. */
+static inline uint32_t test_values(const int32_t *value, uint16_t *depth, const uint16_t *end)
 {
     uint32_t mask = 0;
-    for (uint32_t bit = 1, end = 1u << n; bit != end; bit <<= 1, depth++) {
+    for (uint32_t bit = 1; depth != end; bit <<= 1, depth++) {
         uint32_t z = (uint32_t)*value++ >> 16;
         if (z > *depth) {
             *depth = (uint16_t)z;
             mask |= bit;
-            ++*drawn;
         }
     }
     return mask;
 }
 
+/* The same with depths of a first value and a step. */
+FX_WRAPS static inline uint32_t test_steps(uint32_t value, uint32_t step, uint16_t *depth, const uint16_t *end)
+{
+    uint32_t mask = 0;
+    for (uint32_t bit = 1; depth != end; bit <<= 1, depth++, value += step) {
+        uint32_t z = value >> 16;
+        if (z > *depth) {
+            *depth = (uint16_t)z;
+            mask |= bit;
+        }
+    }
+    return mask;
+}
+
+static uint32_t count_bits(uint32_t mask)
+{
+    uint32_t count = 0;
+    for (; mask; mask &= mask - 1)
+        count++;
+    return count;
+}
+
+/* A run's mask of visible pixels. */
+static inline uint32_t test_depth(struct raster *r, int x, int y, int n)
+{
+    const struct channel *channel = &r->setup.depth;
+    uint16_t *depth = r->depth + (uint32_t)(y - r->y0) * r->width + x;
+    if (channel->exact) {
+        plane_values(&r->setup.plane, channel, x, y, n, r->value[0]);
+        return test_values(r->value[0], depth, depth + n);
+    }
+    const struct polynomial *p = &channel->p;
+    uint32_t i = (uint32_t)(x - r->setup.plane.ox), j = (uint32_t)(y - r->setup.plane.oy);
+    return test_steps(p->f + p->e * j + p->d * i, p->d, depth, depth + n);
+}
+
 /* One span; returns the pixels drawn. */
 static uint32_t draw_span(struct raster *r, int y, struct span span, raster_shade *shade)
 {
-    uint16_t *depth = r->depth + (uint32_t)(y - r->y0) * r->width;
     uint32_t drawn = 0;
     for (int x = span.x0; x < span.x1; x += RUN) {
         int n = span.x1 - x < RUN ? span.x1 - x : RUN;
-        plane_values(&r->setup.plane, &r->setup.depth, x, y, n, r->value[0]);
-        uint32_t mask = test_depth(r->value[0], depth + x, n, &drawn);
+        uint32_t mask = test_depth(r, x, y, n);
         if (!mask)
             continue;
+        const int whole = mask == (1u << n) - 1;
+        drawn += whole ? (uint32_t)n : count_bits(mask);
         shade(r, x, y, n);
         raster_write(r, x, y, mask);
     }

@@ -15,14 +15,13 @@ static inline uint32_t level(uint32_t sum, uint32_t threshold, uint32_t top)
 }
 
 /* A format's pixel from its sums: a template, called with constants. */
-static inline __attribute__((always_inline)) uint32_t pack(const struct raster *r, const uint32_t sum[3],
-                                                           uint32_t threshold, unsigned format)
+static inline __attribute__((always_inline)) uint32_t pack(const uint32_t sum[3], uint32_t threshold, unsigned format)
 {
-    const uint8_t *top = r->palette.top;
-    uint32_t first = level(sum[0], threshold, top[0]);
+    uint32_t first = level(sum[0], threshold, raster_top(format, 0));
     if (format == GLINT_GREY8 || format == GLINT_GREY4)
         return first;
-    uint32_t second = level(sum[1], threshold, top[1]), third = level(sum[2], threshold, top[2]);
+    uint32_t second = level(sum[1], threshold, raster_top(format, 1)),
+             third = level(sum[2], threshold, raster_top(format, 2));
     if (format == GLINT_RGB565)
         return first << 11 | second << 5 | third;
     return first << 16 | second << 8 | third;
@@ -50,7 +49,7 @@ static inline __attribute__((always_inline)) void put(uint8_t *row, int x, uint3
 
 uint32_t raster_colour(const struct raster *r, const uint32_t sum[3])
 {
-    return pack(r, sum, HALF_STEP, r->format);
+    return pack(sum, HALF_STEP, r->format);
 }
 
 static inline __attribute__((always_inline)) void write_as(const struct raster *r, int x, int y, uint32_t mask,
@@ -58,9 +57,14 @@ static inline __attribute__((always_inline)) void write_as(const struct raster *
 {
     uint8_t *row = r->pixels + (uint32_t)(y - r->y0) * r->stride;
     const uint8_t *dither = r->dither ? bayer[y & 3] : 0;
+    if (!dither && (mask & (mask + 1)) == 0) { /* the run's first pixels, all: no bit to look at */
+        for (const uint32_t *sum = r->sum[0]; mask; sum += 3, x++, mask >>= 1)
+            put(row, x, pack(sum, HALF_STEP, format), format);
+        return;
+    }
     for (const uint32_t *sum = r->sum[0]; mask; sum += 3, x++, mask >>= 1)
         if (mask & 1)
-            put(row, x, pack(r, sum, dither ? (uint32_t)(2 * dither[x & 3] + 1) << 10 : HALF_STEP, format), format);
+            put(row, x, pack(sum, dither ? (uint32_t)(2 * dither[x & 3] + 1) << 10 : HALF_STEP, format), format);
 }
 
 void raster_write(struct raster *r, int x, int y, uint32_t mask)
