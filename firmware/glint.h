@@ -30,7 +30,7 @@ enum glint_format {
 };
 
 /* The shading methods: only those that a program names are linked. Everything is linear or quadratic in the picture. A
- * point light or a near eye is taken from each vertex (flat, gouraud, x) or pixel (phong). */
+ * point light or a near eye is taken from each vertex (flat, gouraud, x) or pixel (what interpolates normals). */
 struct glint_method;
 extern const struct glint_method glint_flat;    /* one value a triangle */
 extern const struct glint_method glint_gouraud; /* finished colour linear over the triangle */

@@ -144,9 +144,13 @@ int normal_quadratic_lee_jen(const struct scene_vertex *const corner[3], struct 
     int bent = 0;
     gather(corner, out);
     for (int e = 0; e < 3; e++) {
-        q30_t g[3] = {0, 0, 0};
-        bent |= direction(corner, e, g);
-        bend_edge(out, e, corner[e], corner[e == 2 ? 0 : e + 1], g);
+        q30_t g[3];
+        if (direction(corner, e, g)) {
+            bend_edge(out, e, corner[e], corner[e == 2 ? 0 : e + 1], g);
+            bent = 1;
+        } else {
+            out->bulge[0][e] = out->bulge[1][e] = out->bulge[2][e] = 0;
+        }
     }
     return bent;
 }
