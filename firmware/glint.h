@@ -30,7 +30,7 @@ enum glint_format {
 };
 
 /* The shading methods: only those that a program names are linked. Everything is linear or quadratic in the picture. A
- * point light or a near eye is taken from each vertex (flat, gouraud, x) or pixel (phong). */
+ * point light or a near eye is taken from each vertex (flat, gouraud, x) or pixel (what interpolates normals). */
 struct glint_method;
 extern const struct glint_method glint_flat;    /* one value a triangle */
 extern const struct glint_method glint_gouraud; /* finished colour linear over the triangle */
@@ -40,8 +40,13 @@ extern const struct glint_method glint_six;     /* the same with exactly normali
 extern const struct glint_method glint_color6;  /* finished colour quadratic through six samples */
 extern const struct glint_method glint_duff;    /* Phong by N.L / |N|, numerator linear and |N|^2 quadratic */
 extern const struct glint_method glint_phong;   /* normal interpolated and normalised per pixel */
+/* Normals quadratic over the triangle, normalised per pixel: for coarse meshes whose edges hide an inflection. */
+extern const struct glint_method glint_overveld;      /* van Overveld and Wyvill's, on every edge */
+extern const struct glint_method glint_overveld_scan; /* the same along edges, then along each row: a baseline */
+extern const struct glint_method glint_biquadratic;   /* Lee and Jen's, only on edges that have an inflection */
 /* The same, correct in perspective. */
-extern const struct glint_method glint_x_perspective, glint_six_perspective;
+extern const struct glint_method glint_x_perspective, glint_six_perspective, glint_phong_perspective,
+    glint_biquadratic_perspective;
 
 /* Their places in the statistics. */
 enum glint_method_id {
@@ -52,6 +57,8 @@ enum glint_method_id {
     GLINT_COLOR6,
     GLINT_DUFF,
     GLINT_PHONG,
+    GLINT_OVERVELD,
+    GLINT_BIQUADRATIC,
     GLINT_METHODS
 };
 

@@ -3,16 +3,26 @@
 #include "glint.h"
 
 const struct glint_choice glint_choices[] = {
-    {"flat", &glint_flat},     {"gouraud", &glint_gouraud},
-    {"x", &glint_x},           {"x-perspective", &glint_x_perspective},
-    {"six", &glint_six},       {"six-perspective", &glint_six_perspective},
-    {"color6", &glint_color6}, {"duff", &glint_duff},
+    {"flat", &glint_flat},
+    {"gouraud", &glint_gouraud},
+    {"x", &glint_x},
+    {"x-perspective", &glint_x_perspective},
+    {"six", &glint_six},
+    {"six-perspective", &glint_six_perspective},
+    {"color6", &glint_color6},
+    {"duff", &glint_duff},
     {"phong", &glint_phong},
+    {"phong-perspective", &glint_phong_perspective},
+    {"overveld", &glint_overveld},
+    {"overveld-scan", &glint_overveld_scan},
+    {"biquadratic", &glint_biquadratic},
+    {"biquadratic-perspective", &glint_biquadratic_perspective},
 };
 
 const unsigned glint_choice_count = sizeof glint_choices / sizeof *glint_choices;
 
 const char *const glint_method_names[GLINT_METHODS] = {
-    [GLINT_FLAT] = "flat",     [GLINT_GOURAUD] = "gouraud", [GLINT_X] = "x",         [GLINT_SIX] = "six",
-    [GLINT_COLOR6] = "color6", [GLINT_DUFF] = "duff",       [GLINT_PHONG] = "phong",
+    [GLINT_FLAT] = "flat",   [GLINT_GOURAUD] = "gouraud",   [GLINT_X] = "x",
+    [GLINT_SIX] = "six",     [GLINT_COLOR6] = "color6",     [GLINT_DUFF] = "duff",
+    [GLINT_PHONG] = "phong", [GLINT_OVERVELD] = "overveld", [GLINT_BIQUADRATIC] = "biquadratic",
 };

@@ -6,6 +6,7 @@
  */
 #include "shade/colour.h"
 #include "shade/dots.h"
+#include "shade/piece.h"
 
 /* The finished colours at the middles of the edges, Q8 steps. */
 static void middle_colours(const struct shade_input *in, uint16_t out[3][3])
@@ -43,7 +44,7 @@ void shade_color6(struct shade_setup *setup, const struct shade_input *in)
             bulge[k] = twice * (1 << up) * (1 << 13);
         }
         if (in->weight)
-            dots_restrict(in->weight, value, bulge);
+            piece_quadratic(in->weight, value, bulge);
         dots_quadratic(setup, value, bulge, &setup->channel[c]);
     }
 }

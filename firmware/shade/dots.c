@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "shade/dots.h"
 
+#include "shade/piece.h"
+
 uint32_t dots_length_factor(uint32_t bend)
 {
     const uint32_t one = 1u << 16;
@@ -53,33 +55,6 @@ void dots_bulges(const int32_t corner[3], const int32_t middle[3], const struct 
     }
 }
 
-/* Along an edge with difference d of weights the second derivative is -2 sum aij di dj, so the piece's bulge is
- * -sum aij di dj. */
-void dots_restrict(const uint16_t (*w)[3], int32_t value[3], int32_t bulge[3])
-{
-    int32_t v[3], a[3];
-    for (int k = 0; k < 3; k++) {
-        int32_t linear = 0, bend = 0;
-        for (int i = 0; i < 3; i++) { /* |value| <= 2^14, weights sum to 2^15 */
-            int j = i == 2 ? 0 : i + 1;
-            linear += value[i] * w[k][i];
-            bend += fx_mulhi_s32(bulge[i], (int32_t)((uint32_t)w[k][i] * w[k][j])); /* Q28 * Q30: Q26; |.| < 2^28.5 */
-        }
-        v[k] = (linear >> 15) - (bend >> 12);
-        int next = k == 2 ? 0 : k + 1;
-        int32_t d[3], sum = 0;
-        for (int i = 0; i < 3; i++)
-            d[i] = (int32_t)w[next][i] - w[k][i]; /* |d| <= 2^15 */
-        for (int i = 0; i < 3; i++)
-            sum += fx_mulhi_s32(bulge[i], d[i] * d[i == 2 ? 0 : i + 1]);
-        a[k] = (int32_t)(0u - ((uint32_t)sum << 2)); /* the piece bends no more than the whole */
-    }
-    for (int k = 0; k < 3; k++) {
-        value[k] = v[k];
-        bulge[k] = a[k];
-    }
-}
-
 /* A third of the largest bulge, rounded up, in Q14; 2 for the roundings of bulges and corner values. */
 static int32_t bend_of(const int32_t bulge[3])
 {
@@ -115,7 +90,7 @@ static void interpolate(struct shade_setup *setup, const struct shade_input *in,
 {
     struct channel *channel = &setup->channel[index];
     if (in->weight)
-        dots_restrict(in->weight, value, bulge);
+        piece_quadratic(in->weight, value, bulge);
     if (fold) {
         int32_t folded[3];
         setup->folded = (uint8_t)fold(in->surface->power->exponent, value, bulge, folded, bulge);

@@ -43,10 +43,6 @@ void dots_bulges(const int32_t corner[3], const int32_t middle[3], const struct 
 /* A quadratic channel of values in Q14 and bulges in Q28, by the cheapest way that holds them. */
 void dots_quadratic(struct shade_setup *setup, const int32_t value[3], const int32_t bulge[3], struct channel *channel);
 
-/* The same polynomial over a piece of the triangle whose corners have barycentric weights w[k]: values in Q14, bulges
- * in Q28, |a| < 2^31. */
-void dots_restrict(const uint16_t (*w)[3], int32_t value[3], int32_t bulge[3]);
-
 /* How much the highlight can change, in Q8 steps, when N.H of at most `top` is off by `bend`: the power is convex. */
 static inline uint32_t dots_highlight_slack(const struct surface *s, unsigned light, int32_t top, int32_t bend)
 {

@@ -5,6 +5,7 @@
  * lj, which is X-shading's form with intensities of 1 and bulges of -4 kij.
  */
 #include "shade/dots.h"
+#include "shade/piece.h"
 
 void shade_duff(struct shade_setup *setup, const struct shade_input *in)
 {
@@ -24,6 +25,6 @@ void shade_duff(struct shade_setup *setup, const struct shade_input *in)
     factors.are_dots = 0;
     dots_setup(setup, in, &factors, 0);
     if (in->weight)
-        dots_restrict(in->weight, value, bulge);
+        piece_quadratic(in->weight, value, bulge);
     plane_quadratic_large(&setup->plane, value, bulge, &setup->channel[SHADE_SQUARE]);
 }

@@ -31,19 +31,49 @@ struct shade_input {
 #define SHADE_TURN(k) ((3 - (k)) % 3)
 
 /* Channels: per light N.L then N.H (x, six, duff), finished colours (gouraud, color6), or the normal's components
- * (phong). */
+ * and the place's (phong, overveld, biquadratic). */
 #define SHADE_MAX_CHANNELS (2 * SCENE_MAX_LIGHTS + 1)
 #define SHADE_SQUARE       (2 * SCENE_MAX_LIGHTS) /* duff: the squared length of the normal */
+
+/*
+ * Normals quadratic over the triangle, N = sum ni li - sum bij li lj: component `axis` of corner k, Q14, and the bulges
+ * of the edges 0-1, 1-2, 2-0, Q28. As bij = 3 P (ni + nj) with P a projection on some line, N = sum li (1 - 3 sum lj
+ * Pij) ni,   so that |N| <= sum li max(1, 2 - 3 li) <= 7/6, in a piece of the triangle too. Bulges are at most 6.1,
+ * those of a piece 7.7.
+ */
+struct normal_quadratic {
+    int32_t value[3][3], bulge[3][3]; /* [axis][corner or edge] */
+};
+
+/* overveld-scan: the triangle, and the row in hand. */
+struct shade_rows {
+    struct normal_quadratic normal;
+    int32_t place[3][3]; /* of the corners, in position units, [axis][corner] */
+    struct shade_row_end {
+        int32_t x;         /* 2^-8 sub-pixels from the picture's centre */
+        int32_t normal[3]; /* Q28 */
+        int32_t place[3];  /* Q12 position units */
+    } end[2];
+    int32_t bulge[3]; /* from end to end, Q28 */
+    int32_t y;
+    uint32_t width, up, inverse; /* of the row: 2^-8 sub-pixels; its leading zero bits; 2^63 / (width << up) */
+};
 
 struct shade_setup {
     struct plane plane;
     struct channel depth;
-    struct channel channel[SHADE_MAX_CHANNELS];
+    union {
+        struct channel channel[SHADE_MAX_CHANNELS];
+        struct {
+            struct channel before_rows[6]; /* the place's among them */
+            struct shade_rows rows;
+        };
+    };
     uint32_t flat[3];        /* flat: the finished colour, Q15 steps */
     uint8_t perspective;     /* channels are numerators: 1 + how far closeness is moved up; 0: as they are */
     uint8_t diffuse_lights;  /* x: bit i: light i reaches the triangle */
     uint8_t specular_lights; /* x: bit i: light i's highlight does */
-    uint8_t quadratic;       /* x: some channel bends visibly; 0: all are linear */
+    uint8_t quadratic;       /* some channel bends (x: visibly); 0: all are linear */
     uint8_t folded;          /* N.H is that of a form of the power folded with this `down`; 0: the dot product */
     uint8_t runs_only;       /* x: a channel that no polynomial holds, or N.H beyond what a table's loop can index */
 };
@@ -58,5 +88,10 @@ void shade_six_perspective(struct shade_setup *setup, const struct shade_input *
 void shade_duff(struct shade_setup *setup, const struct shade_input *in);
 void shade_color6(struct shade_setup *setup, const struct shade_input *in);
 void shade_phong(struct shade_setup *setup, const struct shade_input *in);
+void shade_phong_perspective(struct shade_setup *setup, const struct shade_input *in);
+void shade_overveld(struct shade_setup *setup, const struct shade_input *in);
+void shade_overveld_scan(struct shade_setup *setup, const struct shade_input *in);
+void shade_biquadratic(struct shade_setup *setup, const struct shade_input *in);
+void shade_biquadratic_perspective(struct shade_setup *setup, const struct shade_input *in);
 
 #endif

@@ -6,6 +6,7 @@
  * clamp and power per pixel.
  */
 #include "shade/dots.h"
+#include "shade/piece.h"
 
 /* The bulges (Ii + Ij) kij in Q28. |Ii + Ij| <= 2^15 and bend < 2^16: the product stays above -2^31. */
 static void bulges(const int32_t value[3], const struct scene_triangle *triangle, int32_t out[3])
@@ -32,7 +33,7 @@ static inline __attribute__((always_inline)) int interpolate(struct shade_setup 
     if (!linear || in->weight) {
         bulges(value, in->triangle, bulge);
         if (in->weight)
-            dots_restrict(in->weight, value, bulge);
+            piece_quadratic(in->weight, value, bulge);
     }
     if (linear) {
         plane_linear(&setup->plane, value, channel);

@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: MIT */
+/* Perspective-correct pixels of phong and of Lee and Jen's quadratic normals: no reciprocal, where lights are far. */
+#include "raster/normals.h"
+
+static uint32_t draw(struct raster *r, struct edges *e)
+{
+    return raster_runs(r, e, r->setup.perspective ? normals_run_perspective : normals_run);
+}
+
+const struct glint_method glint_phong_perspective = {GLINT_PHONG, 0, 0, shade_phong_perspective, draw};
+const struct glint_method glint_biquadratic_perspective = {GLINT_BIQUADRATIC, 0, 0, shade_biquadratic_perspective,
+                                                           draw};

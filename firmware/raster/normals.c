@@ -1,0 +1,145 @@
+/* SPDX-License-Identifier: MIT */
+#include "raster/normals.h"
+
+#include "shade/perspective.h"
+
+#define SHORTEST (1u << 12)
+
+/* Scales x, y, z to length 1, Q15, given the sum of their squares, which is not 0. */
+static inline __attribute__((always_inline)) void put_unit(struct raster *r, int i, int32_t x, int32_t y, int32_t z,
+                                                           uint32_t squared)
+{
+    unsigned up = fx_clz(squared) & ~1u;                            /* to [2^30, 2^32) by a square's factor */
+    int32_t inverse = (int32_t)(fx_rsqrt_norm(squared << up) >> 1); /* Q30, at most 2^30 */
+    /* |v| 2^(up / 2) < 2^16; 2^15 / |v| 2^(-up / 2) in Q30, and 2 bits more: Q15 */
+    unsigned half = up / 2 + 2;
+    r->value[0][i] = fx_mulhi_s32(x * (1 << half), inverse);
+    r->value[1][i] = fx_mulhi_s32(y * (1 << half), inverse);
+    r->value[2][i] = fx_mulhi_s32(z * (1 << half), inverse);
+}
+
+static inline void put_none(struct raster *r, int i)
+{
+    r->value[0][i] = r->value[1][i] = r->value[2][i] = 0;
+}
+
+/* Q30 in, Q15 out. Less than 1.2 long: what is linear is at most 1 + 2^-13, for corners that were rounded. One shorter
+ * than 2^-6 (opposite corners) counts as its direction's zero. */
+static void normalise(struct raster *r, int n)
+{
+    for (int i = 0; i < n; i++) {
+        int32_t x = r->value[0][i] >> 15, y = r->value[1][i] >> 15, z = r->value[2][i] >> 15; /* Q15 */
+        uint32_t squared = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);         /* Q30, below 2^31 */
+        if (squared < 1u << 18)
+            put_none(r, i);
+        else
+            put_unit(r, i, x, y, z, squared);
+    }
+}
+
+/* Any length: the largest component is first moved to 15 bits. */
+static void normalise_any(struct raster *r, int n)
+{
+    for (int i = 0; i < n; i++) {
+        int32_t x = r->value[0][i], y = r->value[1][i], z = r->value[2][i];
+        uint32_t size = (uint32_t)((x ^ x >> 31) | (y ^ y >> 31) | (z ^ z >> 31)); /* of the largest, within a bit */
+        if (size < SHORTEST) {
+            put_none(r, i);
+            continue;
+        }
+        const unsigned down = 17 - fx_clz(size); /* 2..16 */
+        x >>= down;
+        y >>= down;
+        z >>= down; /* within [-2^15, 2^15): each square at most 2^30, their sum at least 2^28 */
+        put_unit(r, i, x, y, z, (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z));
+    }
+}
+
+/* n . v, Q15 and Q14 to Q15, at most 1 + 2^-12. */
+static inline int32_t dot(const struct raster *r, int i, const q14_t v[3])
+{
+    return (r->value[0][i] * v[0] + r->value[1][i] * v[1] + r->value[2][i] * v[2] + (1 << 13)) >> 14;
+}
+
+/* Adds a light at one pixel. */
+static inline void add_light(struct raster *r, int i, unsigned l, const q14_t towards[3], const q14_t half[3])
+{
+    const struct surface *s = &r->surface;
+    int32_t diffuse = dot(r, i, towards);
+    diffuse = diffuse < 0 ? 0 : diffuse;
+    for (unsigned c = 0; c < s->channels; c++)
+        r->sum[i][c] += surface_diffuse((uint32_t)diffuse, s->light[l].diffuse[c]);
+    int32_t highlight = s->highlights ? dot(r, i, half) : 0;
+    if (highlight <= 0)
+        return;
+    uint32_t power = surface_power(s, (q30_t)((uint32_t)highlight << 15));
+    for (unsigned c = 0; c < s->channels; c++)
+        r->sum[i][c] += surface_diffuse(power, s->light[l].specular[c]);
+}
+
+/* Where lights or the eye are near: the places in position units, into r->value[3] to [5]. */
+static void find_places(struct raster *r, int x, int y, int n)
+{
+    const int perspective = r->setup.perspective;
+    if (!r->input.object->local)
+        return;
+    if (perspective)
+        raster_divisors(r, x, y, n);
+    for (int c = 3; c < 6; c++) {
+        int32_t *value = r->value[c];
+        plane_values(&r->setup.plane, &r->setup.channel[c], x, y, n, value);
+        for (int i = 0; i < n; i++)
+            value[i] = perspective ? perspective_divide(value[i], r->divisor[i]) >> 15 : value[i] >> 16;
+    }
+}
+
+/* All lights, on unit normals. */
+static void light(struct raster *r, int n)
+{
+    const struct surface *s = &r->surface;
+    const struct object_state *object = r->input.object;
+    q14_t towards[3], half[3];
+    for (int i = 0; i < n; i++)
+        for (unsigned c = 0; c < s->channels; c++)
+            r->sum[i][c] = s->base[c];
+    for (unsigned l = 0; l < s->lights; l++) {
+        if (!object->local)
+            object_light_at(object, l, 0, towards, half);
+        for (int i = 0; i < n; i++) {
+            if (object->local) {
+                const int32_t place[3] = {r->value[3][i], r->value[4][i], r->value[5][i]};
+                object_light_at(object, l, place, towards, half);
+            }
+            add_light(r, i, l, towards, half);
+        }
+    }
+}
+
+static void find_normals(struct raster *r, int x, int y, int n)
+{
+    for (int c = 0; c < 3; c++)
+        plane_values(&r->setup.plane, &r->setup.channel[c], x, y, n, r->value[c]);
+}
+
+void normals_run(struct raster *r, int x, int y, int n)
+{
+    find_places(r, x, y, n);
+    find_normals(r, x, y, n);
+    normalise(r, n);
+    light(r, n);
+}
+
+void normals_run_perspective(struct raster *r, int x, int y, int n)
+{
+    find_places(r, x, y, n);
+    find_normals(r, x, y, n);
+    normalise_any(r, n);
+    light(r, n);
+}
+
+void normals_shade(struct raster *r, int x, int y, int n)
+{
+    find_places(r, x, y, n);
+    normalise_any(r, n);
+    light(r, n);
+}
