@@ -140,7 +140,9 @@ static void compare_formats(const struct frame_case *f, const struct frame_case 
 {
     static const double steps[GLINT_FORMATS] = {31, 255, 255, 15};
     double step = 1 / steps[f->config.format], most = (f->config.flags & GLINT_DITHER ? 1. : .5) * step + 1.6 / 255;
-    if (f->config.method == &glint_x && step > 1 / 255.)
+    const struct glint_method *m = f->config.method;
+    if (step > 1 / 255. && (m == &glint_x || m == &glint_six || m == &glint_x_perspective ||
+                            m == &glint_six_perspective || m == &glint_duff))
         most += step; /* bends of less than half a step are left out, here of up to four values */
     for (unsigned y = 0; y < f->config.height; y++)
         for (unsigned x = 0; x < f->config.width; x++) {
@@ -149,8 +151,9 @@ static void compare_formats(const struct frame_case *f, const struct frame_case 
             int channels = levels_at(f, x, y, got);
             for (int c = 0; c < channels; c++)
                 if (fabs(got[c] - (channels == 1 ? luma(wanted) : wanted[c])) > most)
-                    fail_msg("format %d, %u x %u: pixel (%u, %u) channel %d is %.4f", f->config.format, f->config.width,
-                             f->config.height, x, y, c, got[c]);
+                    fail_msg("format %d, %u x %u: pixel (%u, %u) channel %d is %.4f, not %.4f", f->config.format,
+                             f->config.width, f->config.height, x, y, c, got[c],
+                             channels == 1 ? luma(wanted) : wanted[c]);
         }
 }
 
@@ -225,7 +228,10 @@ static void eight_lights_are_the_sum_of_each(void **state)
     struct scene_triangle triangle = {.corner = {0, 1, 2}};
     long lit = 0;
     random_seed(71);
-    for (int i = 0; i < 200; i++) {
+    for (unsigned i = 0; i < 300; i++) {
+        const struct glint_choice *choice = &glint_choices[i % glint_choice_count];
+        if (choice->method == &glint_color6)
+            continue; /* it rings, and a pixel clamps each light's ringing below 0, or that of all */
         scene_case_default(&c, 32, 32);
         for (int k = 0; k < 3; k++) {
             memcpy(vertex[k].position, xy[k], sizeof xy[k]);
@@ -247,7 +253,7 @@ static void eight_lights_are_the_sum_of_each(void **state)
             }
         }
         struct frame_case f = frame_case_small(32, 32, GLINT_RGB888);
-        f.config.method = glint_choices[i % glint_choice_count].method;
+        f.config.method = choice->method;
         struct scene_header *blob = scene_case_blob(&c);
         uint8_t *all = frame_case_picture(f, blob, 0, NULL);
         int sum[32 * 32 * 3] = {0};
@@ -260,7 +266,8 @@ static void eight_lights_are_the_sum_of_each(void **state)
             free(one);
         }
         for (int p = 0; p < 32 * 32 * 3; p++) {
-            assert_true(abs(sum[p] - all[p]) <= 4); /* eight roundings */
+            if (abs(sum[p] - all[p]) > 4) /* eight roundings */
+                fail_msg("%s: %d, not %d", choice->name, all[p], sum[p]);
             lit += all[p] > 16;
         }
         free(all);
