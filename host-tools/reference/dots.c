@@ -65,13 +65,11 @@ void dots_pixel(const struct shading *shading, const double at[3], double colour
 void dots_setup_duff(struct shading *shading)
 {
     dots_setup_corners(shading);
+    for (unsigned v = 0; v < 3; v++)
+        shading->square.corner[v] = vec_dot(shading->corner[v].normal, shading->corner[v].normal);
     for (unsigned e = 0; e < 3; e++) {
         struct decode_vertex middle = shading_middle(shading->corner, e);
         dots_setup_middle(shading, e, &middle);
-        shading->square.corner[e] = vec_dot(shading->corner[e].normal, shading->corner[e].normal);
-    }
-    for (unsigned e = 0; e < 3; e++) {
-        struct decode_vertex middle = shading_middle(shading->corner, e);
         quadratic_middle(&shading->square, e, vec_dot(middle.normal, middle.normal));
     }
 }

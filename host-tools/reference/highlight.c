@@ -18,32 +18,40 @@ static double highlight_square(const double v[3], double x)
     return x * fabs(x) / vec_dot(v, v);
 }
 
-static bool highlight_under(const struct decode_view *view, const struct decode_light *light,
-                            const struct decode_vertex corner[3])
+struct highlight_sides highlight_sides(const struct decode_view *view, unsigned light,
+                                       const struct decode_vertex *vertex)
 {
-    double plane[3], half[3];
+    const struct decode_light *from = view->lights + light;
+    const double *p = vertex->position, *n = vertex->normal;
+    double to_light[3] = {from->vector[0], from->vector[1], from->vector[2]}, to_viewer[3] = {0, 0, 1}, across[3];
+    if (from->point)
+        vec_sub(from->vector, p, to_light);
+    if (view->local_viewer)
+        vec_sub((double[3]){0, 0, 0}, p, to_viewer);
+    vec_cross(to_light, to_viewer, across);
+    double lit = vec_dot(to_light, n), seen = vec_dot(to_viewer, n);
+    return (struct highlight_sides){.h1 = vec_dot(across, n),
+                                    .h2 = highlight_square(to_viewer, seen) - highlight_square(to_light, lit),
+                                    .faces = lit >= 0 || seen >= 0};
+}
+
+bool highlight_under(const struct decode_view *view, unsigned light, const struct decode_vertex corner[3])
+{
+    double h1[3], h2[3];
     bool faces = false;
-    for (int i = 0; i < 3; i++) {
-        const double *p = corner[i].position, *n = corner[i].normal;
-        double to_light[3] = {light->vector[0], light->vector[1], light->vector[2]}, to_viewer[3] = {0, 0, 1},
-               across[3];
-        if (light->point)
-            vec_sub(light->vector, p, to_light);
-        if (view->local_viewer)
-            vec_sub((double[3]){0, 0, 0}, p, to_viewer);
-        vec_cross(to_light, to_viewer, across);
-        double lit = vec_dot(to_light, n), seen = vec_dot(to_viewer, n);
-        plane[i] = vec_dot(across, n);
-        half[i] = highlight_square(to_viewer, seen) - highlight_square(to_light, lit);
-        faces = faces || lit >= 0 || seen >= 0;
+    for (unsigned v = 0; v < 3; v++) {
+        struct highlight_sides sides = highlight_sides(view, light, corner + v);
+        h1[v] = sides.h1;
+        h2[v] = sides.h2;
+        faces = faces || sides.faces;
     }
-    return faces && highlight_between(plane) && highlight_between(half);
+    return faces && highlight_between(h1) && highlight_between(h2);
 }
 
 bool highlight_possible(const struct decode_view *view, const struct decode_vertex corner[3])
 {
     for (unsigned l = 0; l < view->light_count; l++)
-        if (highlight_under(view, view->lights + l, corner))
+        if (highlight_under(view, l, corner))
             return true;
     return false;
 }

@@ -34,6 +34,8 @@ const struct method methods[REFERENCE_METHODS] = {
                                     colour_setup_quadratic, subdivide_pixel_centre},
     [REFERENCE_SUBDIVIDE_REGULAR] = {"subdivide-regular", "gouraud, and quarters where a highlight can lie", false,
                                      true, subdivide_setup_regular, NULL},
+    [REFERENCE_SUBDIVIDE_HIGHLIGHT] = {"subdivide-highlight", "gouraud, and parts that meet in a highlight's centre",
+                                       false, true, subdivide_setup_highlight, subdivide_pixel_highlight},
     [REFERENCE_HYBRID_PHONG] = {"hybrid-phong", "gouraud, and phong where a highlight can lie", false, true,
                                 subdivide_setup_hybrid_phong, NULL},
     [REFERENCE_HYBRID_X] = {"hybrid-x", "gouraud, and x where a highlight can lie", false, true,

@@ -44,6 +44,8 @@ void normal_pixel_scan(const struct shading *shading, const double at[3], double
 /* subdivide.c: smaller triangles where that shows, or a better method */
 void subdivide_pixel_size(const struct shading *shading, const double at[3], double colour[3]);
 void subdivide_pixel_centre(const struct shading *shading, const double at[3], double colour[3]);
+void subdivide_setup_highlight(struct shading *shading);
+void subdivide_pixel_highlight(const struct shading *shading, const double at[3], double colour[3]);
 void subdivide_setup_regular(struct shading *shading);
 void subdivide_setup_hybrid_phong(struct shading *shading);
 void subdivide_setup_hybrid_x(struct shading *shading);

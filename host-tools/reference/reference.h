@@ -6,7 +6,8 @@
  * inclusive, triangles without positive area on the grid culled. Clipping, depth and shading stay in double, per pixel.
  *
  * Beside per-pixel Phong, with the normal interpolated correctly in perspective, it draws what ideal arithmetic makes
- * of the cheaper methods, which interpolate over the snapped triangle in the picture.
+ * of the other methods, which interpolate over the snapped triangle in the picture or, if their names say so, over the
+ * triangle in space.
  */
 #ifndef REFERENCE_H
 #define REFERENCE_H
@@ -34,6 +35,7 @@ enum reference_method {
     REFERENCE_SUBDIVIDE_RECURSIVE,
     REFERENCE_SUBDIVIDE_CENTRE,
     REFERENCE_SUBDIVIDE_REGULAR,
+    REFERENCE_SUBDIVIDE_HIGHLIGHT,
     REFERENCE_HYBRID_PHONG,
     REFERENCE_HYBRID_X,
     REFERENCE_METHODS

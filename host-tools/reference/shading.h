@@ -7,6 +7,7 @@
 #define SHADING_H
 
 #include "reference/decode.h"
+#include "reference/peak.h"
 #include "reference/quadratic.h"
 
 struct method;
@@ -24,6 +25,7 @@ struct shading {
     double tolerance;                          /* of colour, at the centre */
     double part_area;                          /* in pixels, not larger */
     bool highlight;                            /* can reach it */
+    struct peak peak;                          /* of subdivide-highlight */
     double place[3][2];                        /* of the corners in the picture, pixels to the right and down */
     struct quadratic colour[3];                /* of the channels */
     struct quadratic dot[SCENE_MAX_LIGHTS][2]; /* N.L [0] and N.H [1] of the lights */

@@ -134,12 +134,77 @@ static void a_highlight_reaches_all_triangles_at_its_vertices(void **state)
         assert_int_equal(reached[v], v < 3);
 }
 
+/* N.H at a place, both unit there. */
+static double cosine_at(const struct decode_view *view, const struct decode_vertex corner[3], const double at[3])
+{
+    struct shading shading = {.view = view};
+    struct decode_vertex v = shading_mix(corner, at);
+    double dots[2];
+    vec_normalise(v.normal);
+    shading_dots(&shading, 0, v.position, v.normal, dots);
+    return dots[1];
+}
+
+static void the_centre_of_a_far_lights_highlight_is_found(void **state)
+{
+    unsigned found = 0;
+    (void)state;
+    random_seed(3);
+    for (int i = 0; i < TRIANGLES / 30; i++) {
+        struct decode_view view;
+        struct decode_vertex corner[3];
+        double half[3];
+        far_view(&view, half);
+        lean_from(half, .5, corner);
+        if (!encloses(corner, half))
+            continue;
+        struct peak peak = peak_find(&view, 0, corner);
+        assert_int_equal(peak.kind, PEAK_INSIDE);
+        assert_true(cosine_at(&view, corner, peak.at) > 1 - 1e-9); /* H2's square is flat where light meets viewer */
+        found++;
+    }
+    assert_true(found > TRIANGLES / 300);
+}
+
+/* A light and a viewer some edges away. H1 then holds along a curve, which in 1 of 50 triangles leaves the triangle on
+ * the way to the centre, where the straight guess stands. */
+static void the_centre_of_a_near_lights_highlight_is_found(void **state)
+{
+    unsigned inside = 0, missed = 0;
+    (void)state;
+    random_seed(4);
+    for (int i = 0; i < TRIANGLES / 30; i++) {
+        struct decode_view view = {.local_viewer = true, .light_count = 1, .lights = {{.point = true}}};
+        struct decode_vertex corner[3];
+        lean_from((double[]){0, 0, 1}, .4, corner);
+        for (unsigned v = 0; v < 3; v++) {
+            static const double place[3][2] = {{-1, -1}, {1, -1}, {0, 1}};
+            for (unsigned k = 0; k < 2; k++)
+                corner[v].position[k] = place[v][k] + random_real(-.3, .3);
+            corner[v].position[2] = -6;
+        }
+        for (unsigned k = 0; k < 3; k++)
+            view.lights[0].vector[k] = k == 2 ? random_real(-2, 0) : random_real(-2, 2);
+        struct peak peak = peak_find(&view, 0, corner);
+        if (!highlight_under(&view, 0, corner) || peak.kind != PEAK_INSIDE)
+            continue;
+        double cosine = cosine_at(&view, corner, peak.at);
+        missed += cosine < 1 - 1e-5;
+        inside++;
+    }
+    print_message("%u highlights of near lights, %u not found to 1e-5 of N.H\n", inside, missed);
+    assert_true(inside > TRIANGLES / 300);
+    assert_true(missed < 3 * inside / 100);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_highlight_of_a_far_light_is_never_missed),
         cmocka_unit_test(a_highlight_aside_of_all_corners_is_refused),
         cmocka_unit_test(zeros_and_single_corners_count),
+        cmocka_unit_test(the_centre_of_a_far_lights_highlight_is_found),
+        cmocka_unit_test(the_centre_of_a_near_lights_highlight_is_found),
         cmocka_unit_test(a_highlight_reaches_all_triangles_at_its_vertices),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
