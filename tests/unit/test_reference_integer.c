@@ -140,9 +140,14 @@ static void every_method_reaches_its_quality(void **state)
         const char *name;
         double psnr_db[3], max[3];
     } rows[] = {
-        {"gouraud", {30.6, 31.1, 31.3}, {26, 38, 41}}, {"x", {51.4, 48.8, 46.4}, {2.7, 5.7, 10.6}},
-        {"six", {55.9, 56.7, 55.9}, {1.9, 1.8, 3.4}},  {"color6", {46.0, 41.3, 37.7}, {9.5, 14, 29}},
-        {"duff", {100, 100, 100}, {0, 0, 0}},          {"phong", {100, 100, 100}, {0, 0, 0}},
+        {"gouraud", {30.6, 31.1, 31.3}, {26, 38, 41}},
+        {"x", {51.4, 48.8, 46.4}, {2.7, 5.7, 10.6}},
+        {"six", {55.9, 56.7, 55.9}, {1.9, 1.8, 3.4}},
+        {"color6", {46.0, 41.3, 37.7}, {9.5, 14, 29}},
+        {"duff", {100, 100, 100}, {0, 0, 0}},
+        {"phong", {100, 100, 100}, {0, 0, 0}},
+        {"biquadratic", {60.1, 59.0, 59.1}, {2.5, 3.7, 4.2}},
+        {"overveld-scan", {26.4, 28.1, 28.6}, {90, 70, 74}},
     };
     static const unsigned shininess[] = {5, 20, 50};
     (void)state;
@@ -160,7 +165,10 @@ static void perspective_costs_the_correct_variants_nothing(void **state)
 {
     static const struct {
         const char *name, *correct;
-    } pairs[] = {{"x", "x-perspective"}, {"six", "six-perspective"}};
+    } pairs[] = {{"x", "x-perspective"},
+                 {"six", "six-perspective"},
+                 {"biquadratic", "biquadratic-perspective"},
+                 {"phong", "phong-perspective"}};
     (void)state;
     for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++) {
         struct compare_result plain = measure("tests/scenes/torus288.json", 20, pairs[i].name, REFERENCE_PHONG);
