@@ -49,6 +49,9 @@ int glint_frame_begin(struct glint_frame *f, const void *scene, uint32_t time_ms
     f->raster->surface_material = RASTER_NO_MATERIAL;
     f->raster->input.surface = &f->raster->surface;
     f->raster->surface.form = f->config.power;
+    f->raster->input.sampled = f->config.power || header->camera.viewer != VIEWER_INFINITE;
+    for (unsigned i = 0; i < header->light_count; i++)
+        f->raster->input.sampled |= scene_lights(header)[i].kind == LIGHT_POINT;
     f->raster->input.divides = header->camera.kind == CAMERA_PERSPECTIVE;
 
     struct view *view = &f->raster->begin.view;
@@ -116,7 +119,7 @@ static void draw_triangle(struct glint_frame *f, const struct triangle_ref *ref)
     const int32_t depth[3] = {(uint16_t)in->place[0][VERTEX_DEPTH], (uint16_t)in->place[1][VERTEX_DEPTH],
                               (uint16_t)in->place[2][VERTEX_DEPTH]};
     plane_linear(&setup->plane, depth, &setup->depth);
-    setup->folded = setup->perspective = setup->diffuse_lights = setup->specular_lights = setup->quadratic = 0;
+    setup->found[0] = setup->found[1] = 0;
     method->setup(setup, in);
     f->stats.pixels[method->id] += method->draw(r, &edges);
     if (ref->first < r->y0)

@@ -25,6 +25,7 @@ struct shade_input {
     const struct surface *surface;
     uint8_t divides; /* the view is a perspective one */
     uint8_t no_plan; /* keep effects that cannot show */
+    uint8_t sampled; /* mid-edges may need a look of their own: something is near, or the power has another form */
 };
 
 /* Which of the source's corners is the input's corner k. */
@@ -60,6 +61,17 @@ struct shade_rows {
 };
 
 struct shade_setup {
+    union { /* what set-up finds out, all 0 before it */
+        uint32_t found[2];
+        struct {
+            uint8_t perspective;     /* channels are numerators: 1 + how far closeness is moved up; 0: as they are */
+            uint8_t diffuse_lights;  /* x: bit i: light i reaches the triangle */
+            uint8_t specular_lights; /* x: bit i: light i's highlight does */
+            uint8_t quadratic;       /* some channel bends (x: visibly); 0: all are linear */
+            uint8_t folded;    /* N.H is that of a form of the power folded with this `down`; 0: the dot product */
+            uint8_t runs_only; /* x: a channel that no polynomial holds, or N.H beyond what a table's loop can index */
+        };
+    };
     struct plane plane;
     struct channel depth;
     union {
@@ -69,13 +81,7 @@ struct shade_setup {
             struct shade_rows rows;
         };
     };
-    uint32_t flat[3];        /* flat: the finished colour, Q15 steps */
-    uint8_t perspective;     /* channels are numerators: 1 + how far closeness is moved up; 0: as they are */
-    uint8_t diffuse_lights;  /* x: bit i: light i reaches the triangle */
-    uint8_t specular_lights; /* x: bit i: light i's highlight does */
-    uint8_t quadratic;       /* some channel bends (x: visibly); 0: all are linear */
-    uint8_t folded;          /* N.H is that of a form of the power folded with this `down`; 0: the dot product */
-    uint8_t runs_only;       /* x: a channel that no polynomial holds, or N.H beyond what a table's loop can index */
+    uint32_t flat[3]; /* flat: the finished colour, Q15 steps */
 };
 
 /* Each fills the channels it needs; plane and depth are done. */
