@@ -27,6 +27,8 @@ static void add_object(struct glint_frame *f, const struct view *view, const str
     object_light_setup(object, f->scene, view, &pose, &to_eye, time_ms);
     int all_placed = object_place_vertices(object, f->scene, transform, f->light_count, list_record(f, f->vertex_count),
                                            f->vertex_stride);
+    if (f->config.method->object)
+        f->config.method->object(object, f->scene, list_record(f, f->vertex_count), f->vertex_stride, &f->stats);
     list_object(f, transform, f->object_count, all_placed);
     f->vertex_count = (uint16_t)(f->vertex_count + mesh->vertex_count);
     f->object_count++;
@@ -112,6 +114,8 @@ static void draw_triangle(struct glint_frame *f, const struct triangle_ref *ref)
     struct shade_setup *setup = &r->setup;
     struct edges edges;
     gather(f, ref);
+    if (method->choose)
+        method = method->choose(in);
     f->stats.setups++;
     if (!edges_setup(&edges, in->place, r->width, r->height, r->y0, r->y1) ||
         !plane_setup(&setup->plane, in->place, r->width, r->height))

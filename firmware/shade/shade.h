@@ -60,6 +60,20 @@ struct shade_rows {
     uint32_t width, up, inverse; /* of the row: 2^-8 sub-pixels; its leading zero bits; 2^63 / (width << up) */
 };
 
+/* A corner of a part that a triangle is split into: where it is in the barycentric coordinates of the triangle's
+ * corners on the screen, Q15, the third being the rest; and its finished colour, Q8 steps, at most 255 * 2^8. */
+struct part_corner {
+    uint16_t weight[2];
+    uint16_t colour[3];
+};
+
+/* A part that is or may be split into 4: corners, and the middles of its edges 01, 12, 20. */
+struct part_split {
+    struct part_corner corner[6];
+    uint16_t next; /* the next of the 4 to be drawn */
+};
+#define PART_DEPTH 5 /* times that a triangle is split at most */
+
 struct shade_setup {
     union { /* what set-up finds out, all 0 before it */
         uint32_t found[2];
@@ -80,6 +94,10 @@ struct shade_setup {
             struct channel before_rows[6]; /* the place's among them */
             struct shade_rows rows;
         };
+        struct { /* subdivision: colours are 3 channels, behind them there is room */
+            struct channel colour[3];
+            struct part_split split[PART_DEPTH + 1]; /* a stack, the part in hand on top */
+        } parts;
     };
     uint32_t flat[3]; /* flat: the finished colour, Q15 steps */
 };
