@@ -21,8 +21,8 @@ const struct glint_choice glint_choices[] = {
     {"subdivide-centre", &glint_subdivide_centre},
     {"subdivide-regular", &glint_subdivide_regular},
     {"subdivide-highlight", &glint_subdivide_highlight},
-    {"hybrid-phong", &glint_hybrid_phong},
-    {"hybrid-x", &glint_hybrid_x},
+    {"subdivide-hybrid", &glint_hybrid_phong},
+    {"subdivide-hybrid-x", &glint_hybrid_x},
 };
 
 const unsigned glint_choice_count = sizeof glint_choices / sizeof *glint_choices;

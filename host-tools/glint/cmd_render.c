@@ -21,7 +21,8 @@ static const char render_help[] =
     "                         a folder with '/' at its end (numbered PNG files), or - for standard output\n"
     "      --output-format F  " OUTPUT_FORMATS ", whatever the ending\n"
     "      --method M         one of `glint methods`, default x\n"
-    "      --subdivide MODE   with --method subdivide\n"
+    "      --subdivide MODE   with --method subdivide: centre (default), regular, highlight, recursive, hybrid, "
+    "hybrid-x\n"
     "      --tolerance N      subdivide centre: splits while the centre errs by more, 1..255 in 1/255, default 4\n"
     "      --area N           subdivide recursive and regular: splits down to N pixels, 1..65535, default 32\n"
     "      --threshold F      subdivide highlight: halves edges while the colour errs by more, .004 to .996 of it,\n"
@@ -204,6 +205,8 @@ static void render_flag(struct render *render, int option)
 static int render_choose_method(struct render *render)
 {
     char name[64];
+    if (!render->subdivide && strcmp(render->method, "subdivide") == 0)
+        render->subdivide = "centre";
     int length = snprintf(name, sizeof name, "%s%s%s%s", render->method, render->subdivide ? "-" : "",
                           render->subdivide ? render->subdivide : "", render->perspective ? "-perspective" : "");
     if (length < (int)sizeof name)

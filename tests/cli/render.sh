@@ -88,7 +88,7 @@ run 'stats are printed as JSON' 0 "$glint" render "$torus" --stats=json --frames
 if python3 -c 'import json,sys; s=json.load(open(sys.argv[1])); assert s["triangles"]==576 and s["pixels"]["x"]>50000' "$top/out"
 then say ok 'that a parser takes'; else say FAIL 'that a parser takes' "$(cat "$top/out")"; fi
 
-run 'highlights are counted' 0 "$glint" render "$torus" --method hybrid-phong --stats
+run 'highlights are counted' 0 "$glint" render "$torus" --method subdivide --subdivide hybrid --stats
 matches 'by the triangles tested' "$top/out" '^highlight_tests +288 '
 for option in --tolerance=9,centre --area=999,regular --threshold=.05,highlight; do
     mode=${option#*,}
