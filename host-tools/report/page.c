@@ -22,14 +22,16 @@ static const char page_style[] =
     ".plots svg{width:100%;height:auto;max-width:32rem}svg [color=black]{color:inherit}\n"
     "svg [fill=black]{fill:currentColor}svg [stroke=black]{stroke:currentColor}\n"
     ".card{border:1px solid var(--line);border-radius:6px;padding:.7rem}.card h3{margin:0 0 .4em;font-size:1.05rem}\n"
-    ".pair{display:grid;grid-template-columns:1fr 1fr;gap:.4rem}.pair img{width:100%;height:auto;"
-    "display:block}\n"
+    ".pair{display:grid;grid-template-columns:repeat(2,minmax(0,1fr));align-items:start;gap:.4rem}"
+    ".pair img{width:100%;height:auto;display:block}\n"
     "dl{display:grid;grid-template-columns:auto 1fr;gap:0 .8em;margin:.5em 0 0;font-variant-numeric:tabular-nums}\n"
     "dt{color:var(--faint)}dd{margin:0}\n"
-    ".key{font-size:.8rem;width:100%}.key th,.key td{padding:.1em .3em;text-align:center;border:0;position:static}\n"
-    ".key th{color:var(--faint);font-weight:400}\n";
+    ".first td{border-top:2px solid var(--line)}\n"
+    ".key{font-size:.75rem;line-height:1.25;width:100%;table-layout:fixed}.key td{padding:0 "
+    ".3em;text-align:center;border:0}\n"
+    "figcaption{font-size:.95rem;margin-top:.4em}\n";
 
-void page_begin(FILE *out, const char *const paths[], unsigned count)
+void page_begin(FILE *out, const char *const paths[], unsigned count, bool powers)
 {
     char name[SURVEY_NAME];
     fprintf(out,
@@ -53,7 +55,8 @@ void page_begin(FILE *out, const char *const paths[], unsigned count)
     for (unsigned i = 0; i < count; i++)
         if (survey_name(paths[i], name))
             fprintf(out, "<a href=\"#%s\">%s</a>\n", name, name);
-    fprintf(out, "</nav>\n");
+    fprintf(out, "<a href=\"#angle\">X-shading\u2019s error</a>\n%s</nav>\n",
+            powers ? "<a href=\"#power\">The highlight\u2019s power</a>\n" : "");
 }
 
 static const char *page_class(const struct survey_row *row)
@@ -101,7 +104,7 @@ static void page_figures(FILE *out, const struct survey_row *row)
     }
     fprintf(out, "<dt>flash, B</dt><dd>");
     for (enum costs_cpu cpu = 0; cpu < COSTS_CPUS; cpu++)
-        fprintf(out, "%s%u on %s", cpu ? ", " : "", (unsigned)row->flash[cpu], costs_cpu_titles[cpu]);
+        fprintf(out, "%s%s %u", cpu ? ", " : "", costs_cpu_titles[cpu], (unsigned)row->flash[cpu]);
     fprintf(out, "</dd></dl>");
 }
 
@@ -123,7 +126,7 @@ static bool page_truth(FILE *out, const struct survey *survey)
     snprintf(caption, sizeof caption, "%s, the truth", survey->scene);
     fprintf(out, "<figure class=\"card\"><h3>the truth</h3><div class=\"pair\">");
     bool done = page_picture(out, survey, survey->truth, false, caption);
-    fprintf(out, "<table class=\"key\"><tr><th>too dark</th><th>from</th><th>too bright</th></tr>");
+    fprintf(out, "<table class=\"key\">");
     for (int level = PICTURE_LEVELS; level >= 0; level--) {
         fprintf(out, "<tr>");
         for (int sign = -1; sign <= 1; sign++) {
@@ -136,7 +139,9 @@ static bool page_truth(FILE *out, const struct survey *survey)
         }
         fprintf(out, "</tr>");
     }
-    fprintf(out, "</table></div><figcaption>The colours of the differences, in 1/255.</figcaption></figure>\n");
+    fprintf(out,
+            "</table></div><figcaption>Right: the colours of a difference of so many 255ths or more, too dark and too "
+            "bright.</figcaption></figure>\n");
     return done;
 }
 

@@ -32,7 +32,7 @@ int picture_level(double difference)
 void picture_colour(int level, uint8_t rgb[3])
 {
     static const double bright[3] = {1, .6, .2}, dark[3] = {.35, .7, 1};
-    double value = 255. * abs(level) / PICTURE_LEVELS;
+    double value = level ? 255. * (abs(level) + 1) / (PICTURE_LEVELS + 1) : 0;
     for (int c = 0; c < 3; c++)
         rgb[c] = (uint8_t)lround(value * (level > 0 ? bright[c] : dark[c]));
 }

@@ -2,70 +2,16 @@
 #include "report/survey.h"
 
 #include "glint/cli.h"
-#include "glint/renderer.h"
 #include "pack/report.h"
 #include "reference/reference.h"
+#include "report/drawing.h"
 #include "report/picture.h"
 #include "scene/model.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-/* A display that keeps the picture. */
-struct survey_keeper {
-    struct hal_display display;
-    uint8_t *grey;
-    unsigned width;
-};
-
-static int survey_flush(struct hal_display *display, const void *pixels, uint16_t y, uint16_t rows, uint32_t stride)
-{
-    const struct survey_keeper *keeper = (const struct survey_keeper *)display;
-    for (unsigned row = 0; row < rows; row++)
-        memcpy(keeper->grey + (size_t)(y + row) * keeper->width, (const uint8_t *)pixels + (size_t)row * stride,
-               keeper->width);
-    return 0;
-}
-
-static const struct hal_display_ops survey_ops = {.flush = survey_flush};
-
-static int survey_draw(const struct survey *survey, const struct scene_header *scene, const char *path,
-                       struct survey_row *row)
-{
-    struct survey_keeper keeper = {{&survey_ops}, row->grey, survey->width};
-    struct renderer renderer = {.choice = renderer_find(row->method),
-                                .config = {.width = (uint16_t)survey->width,
-                                           .height = (uint16_t)survey->height,
-                                           .band_rows = (uint16_t)survey->height,
-                                           .format = GLINT_GREY8}};
-    double milliseconds = 0;
-    int code = renderer_open(&renderer, scene);
-    if (code)
-        return code;
-    renderer_draw(&renderer, 0, &keeper.display, NULL, &milliseconds);
-    if (renderer.dropped) {
-        fprintf(stderr, "%s: a frame by %s lacks %u triangles\n", path, row->method, (unsigned)renderer.dropped);
-        code = CLI_BAD_DATA;
-    }
-    renderer_close(&renderer);
-    return code;
-}
-
-static void survey_measure(const struct survey *survey, const struct reference_image *truth, struct survey_row *row)
-{
-    size_t pixels = (size_t)survey->width * survey->height;
-    double *a = model_alloc(2 * pixels * sizeof *a), *b = a + pixels;
-    for (size_t i = 0; i < pixels; i++) {
-        a[i] = row->grey[i];
-        b[i] = 255 * truth->value[i];
-        row->difference[i] = (uint8_t)(PICTURE_RIGHT + picture_level(a[i] - b[i]));
-    }
-    compare_values(a, b, survey->covered, pixels, 1, &row->error);
-    free(a);
-}
 
 static int survey_price(const struct survey *survey, const struct costs *costs, struct survey_row *row)
 {
@@ -135,10 +81,14 @@ static int survey_rows(struct survey *survey, const char *path, const struct sce
         row->difference = model_alloc(pixels);
         int code = survey_price(survey, costs, row);
         if (!code)
-            code = survey_draw(survey, scene, path, row);
+            code = drawing_make(row->grey, scene, path, row->method, NULL);
         if (code)
             return code;
-        survey_measure(survey, truth, row);
+        drawing_compare(row->grey, truth, survey->covered, &row->error);
+        for (size_t i = 0; i < pixels; i++)
+            row->difference[i] =
+                (uint8_t)(PICTURE_RIGHT +
+                          (survey->covered[i] ? picture_level(row->grey[i] - 255 * truth->value[i]) : 0));
     }
     survey_rank(survey->rows, survey->count);
     return CLI_DONE;

@@ -27,7 +27,7 @@ struct survey_row {
      * least, of equals the cheapest; null: there is none, and the method belongs to the Pareto set. */
     const char *beaten_by[COSTS_CPUS];
     uint8_t *grey;       /* width x height: what it draws */
-    uint8_t *difference; /* the same: picture_level() of what it is too bright, plus PICTURE_RIGHT */
+    uint8_t *difference; /* the same: picture_level() of what it is too bright, where compared, plus PICTURE_RIGHT */
 };
 
 struct survey_box {
