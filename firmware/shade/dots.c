@@ -120,7 +120,7 @@ void dots_setup(struct shade_setup *setup, const struct shade_input *in, const s
     setup->runs_only = setup->depth.exact != 0;
     setup->perspective = perspective ? (uint8_t)(perspective->up + 1u) : 0;
     plane_setup_quadratic(&setup->plane);
-    fold_function *fold = s->form && factors->are_dots && !perspective ? s->form->fold : 0;
+    fold_function *fold = s->form && factors->are_dots && !perspective && !in->tabled ? s->form->fold : 0;
     for (unsigned i = 0; i < s->lights; i++) {
         struct dots_samples samples;
         uint8_t *const shown[2] = {&setup->diffuse_lights, &setup->specular_lights};

@@ -25,6 +25,7 @@ struct shade_input {
     const struct surface *surface;
     uint8_t divides; /* the view is a perspective one */
     uint8_t no_plan; /* keep effects that cannot show */
+    uint8_t tabled;  /* a colour table holds the material's power, of N.H itself */
 };
 
 /* Which of the source's corners is the input's corner k. */
