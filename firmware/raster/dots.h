@@ -47,7 +47,7 @@ static inline __attribute__((always_inline)) void dots_powers(struct raster *r, 
 {
     const struct surface *s = &r->surface;
     if (r->setup.folded) {
-        s->form->run_folded(r->setup.folded, r->value[0], n);
+        s->form->run_folded(s->power->exponent, r->setup.folded, r->value[0], n);
         return;
     }
     for (int i = 0; i < n; i++)
