@@ -27,6 +27,8 @@ static void add_object(struct glint_frame *f, const struct view *view, const str
     object_light_setup(object, f->scene, view, &pose, &to_eye, time_ms);
     int all_placed = object_place_vertices(object, f->scene, transform, f->light_count, list_record(f, f->vertex_count),
                                            f->vertex_stride);
+    if (f->config.method->object)
+        f->config.method->object(object, f->scene, list_record(f, f->vertex_count), f->vertex_stride, &f->stats);
     list_object(f, transform, f->object_count, all_placed);
     f->vertex_count = (uint16_t)(f->vertex_count + mesh->vertex_count);
     f->object_count++;
@@ -49,6 +51,9 @@ int glint_frame_begin(struct glint_frame *f, const void *scene, uint32_t time_ms
     f->raster->surface_material = RASTER_NO_MATERIAL;
     f->raster->input.surface = &f->raster->surface;
     f->raster->surface.form = f->config.power;
+    f->raster->input.sampled = f->config.power || header->camera.viewer != VIEWER_INFINITE;
+    for (unsigned i = 0; i < header->light_count; i++)
+        f->raster->input.sampled |= scene_lights(header)[i].kind == LIGHT_POINT;
     f->raster->input.divides = header->camera.kind == CAMERA_PERSPECTIVE;
 
     struct view *view = &f->raster->begin.view;
@@ -110,6 +115,8 @@ static void draw_triangle(struct glint_frame *f, const struct triangle_ref *ref)
     struct shade_setup *setup = &r->setup;
     struct edges edges;
     gather(f, ref);
+    if (method->choose)
+        method = method->choose(in);
     f->stats.setups++;
     if (!edges_setup(&edges, in->place, r->width, r->height, r->y0, r->y1) ||
         !plane_setup(&setup->plane, in->place, r->width, r->height))
@@ -117,7 +124,7 @@ static void draw_triangle(struct glint_frame *f, const struct triangle_ref *ref)
     const int32_t depth[3] = {(uint16_t)in->place[0][VERTEX_DEPTH], (uint16_t)in->place[1][VERTEX_DEPTH],
                               (uint16_t)in->place[2][VERTEX_DEPTH]};
     plane_linear(&setup->plane, depth, &setup->depth);
-    setup->folded = setup->perspective = setup->diffuse_lights = setup->specular_lights = setup->quadratic = 0;
+    setup->found[0] = setup->found[1] = 0;
     method->setup(setup, in);
     f->stats.pixels[method->id] += method->draw(r, &edges);
     if (ref->first < r->y0)

@@ -48,7 +48,21 @@ extern const struct glint_method glint_biquadratic;   /* Lee and Jen's, only on 
 extern const struct glint_method glint_x_perspective, glint_six_perspective, glint_phong_perspective,
     glint_biquadratic_perspective;
 
-/* Their places in the statistics. */
+/* Triangles split into smaller ones (at most GLINT_MAX_PARTS, and none lower than half a pixel), whose corners are
+ * shaded with the normal interpolated there. Adaptive ones draw by gouraud all but the potentially highlighted
+ * triangles (Cho et al. 1996, "Improved Specular Highlights with Adaptive Shading") and those that share a vertex with
+ * one. */
+#define GLINT_MAX_PARTS 1024
+extern const struct glint_method glint_subdivide_recursive; /* into 4 down to `subdivide_area`, linear: pseudo-Phong */
+extern const struct glint_method glint_subdivide_centre;    /* finished colour quadratic; into 4 while it errs at the
+                                                               centre by more than `subdivide_tolerance` */
+extern const struct glint_method glint_subdivide_regular;   /* adaptive, otherwise as recursive */
+extern const struct glint_method glint_subdivide_highlight; /* adaptive: at the highlight's centre, then on the edges
+                                                               that meet there by `subdivide_threshold` */
+extern const struct glint_method glint_hybrid_phong;        /* adaptive: by phong */
+extern const struct glint_method glint_hybrid_x;            /* adaptive: by x */
+
+/* Their places in the statistics; the adaptive ones count under what they draw by. */
 enum glint_method_id {
     GLINT_FLAT,
     GLINT_GOURAUD,
@@ -59,6 +73,7 @@ enum glint_method_id {
     GLINT_PHONG,
     GLINT_OVERVELD,
     GLINT_BIQUADRATIC,
+    GLINT_SUBDIVIDE,
     GLINT_METHODS
 };
 
@@ -100,6 +115,11 @@ struct glint_config {
     uint8_t max_objects;
     uint8_t max_lights; /* 0..8; a scene with more is not drawn (GLINT_E_SCENE) */
     uint8_t tables;     /* 16 KiB colour tables, one a material under one light: RGB565's fast path. 0: none */
+
+    /* when the subdividing methods split; 0: the default */
+    uint8_t subdivide_tolerance; /* 1/255 of full intensity; default 4 */
+    uint8_t subdivide_threshold; /* of a colour between a corner's and the true one, 1/256; default 77, .3 */
+    uint16_t subdivide_area;     /* pixels; default 32 */
 };
 
 /* What a frame did. Counts begin anew with each frame; the pixel counts grow with each band. */
@@ -113,7 +133,9 @@ struct glint_stats {
     uint32_t pixels[GLINT_METHODS]; /* that passed the depth test, by method */
     uint32_t specular_triangles;    /* of the drawn: those a highlight can reach */
     uint32_t linear_triangles;      /* of the drawn by x and six: those whose bend cannot show */
-    uint32_t setups;                /* triangle set-ups: one a triangle and band that it touches */
+    uint32_t highlight_tests;       /* triangles tested for a highlight, when the frame begins: those of all objects */
+    uint32_t potentially_highlighted; /* those of them that may hold one's centre */
+    uint32_t setups;                  /* triangle set-ups: one a triangle and band that it touches */
 };
 
 struct glint_band {

@@ -6,7 +6,7 @@
 /* The bytes that README.md promises. */
 _Static_assert(sizeof(struct triangle_ref) == 8, "a listed triangle");
 _Static_assert(sizeof(struct clipped_triangle) == 40, "a piece made by clipping");
-_Static_assert(sizeof(void *) > 4 || (sizeof(struct object_state) == 248 && sizeof(struct raster) == 1796 &&
+_Static_assert(sizeof(void *) > 4 || (sizeof(struct object_state) == 248 && sizeof(struct raster) == 1800 &&
                                       sizeof(struct colour_table) == 16412),
                "an object, the working state, a colour table");
 
@@ -96,6 +96,9 @@ int glint_init(struct glint_frame *f, const struct glint_config *c)
     r->stride = (uint32_t)glint_row_bytes(c);
     r->depth = f->depth;
     r->palette = palette_of(c->format);
+    r->split.area = c->subdivide_area ? c->subdivide_area : SPLIT_AREA;
+    r->split.threshold = c->subdivide_threshold ? c->subdivide_threshold : SPLIT_THRESHOLD;
+    r->split.tolerance = c->subdivide_tolerance ? c->subdivide_tolerance : SPLIT_TOLERANCE;
     r->tables = c->method->uses_tables ? c->tables : 0;
     for (unsigned i = 0; i < c->tables; i++)
         tables[i].exponent = 0;

@@ -17,12 +17,25 @@ const struct glint_choice glint_choices[] = {
     {"overveld-scan", &glint_overveld_scan},
     {"biquadratic", &glint_biquadratic},
     {"biquadratic-perspective", &glint_biquadratic_perspective},
+    {"subdivide-recursive", &glint_subdivide_recursive},
+    {"subdivide-centre", &glint_subdivide_centre},
+    {"subdivide-regular", &glint_subdivide_regular},
+    {"subdivide-highlight", &glint_subdivide_highlight},
+    {"subdivide-hybrid", &glint_hybrid_phong},
+    {"subdivide-hybrid-x", &glint_hybrid_x},
 };
 
 const unsigned glint_choice_count = sizeof glint_choices / sizeof *glint_choices;
 
 const char *const glint_method_names[GLINT_METHODS] = {
-    [GLINT_FLAT] = "flat",   [GLINT_GOURAUD] = "gouraud",   [GLINT_X] = "x",
-    [GLINT_SIX] = "six",     [GLINT_COLOR6] = "color6",     [GLINT_DUFF] = "duff",
-    [GLINT_PHONG] = "phong", [GLINT_OVERVELD] = "overveld", [GLINT_BIQUADRATIC] = "biquadratic",
+    [GLINT_FLAT] = "flat",
+    [GLINT_GOURAUD] = "gouraud",
+    [GLINT_X] = "x",
+    [GLINT_SIX] = "six",
+    [GLINT_COLOR6] = "color6",
+    [GLINT_DUFF] = "duff",
+    [GLINT_PHONG] = "phong",
+    [GLINT_OVERVELD] = "overveld",
+    [GLINT_BIQUADRATIC] = "biquadratic",
+    [GLINT_SUBDIVIDE] = "subdivide",
 };

@@ -132,7 +132,7 @@ static inline void fx_divmod_floor_narrow(int32_t num, int32_t den, int32_t *quo
 }
 
 /*
- * quotient = floor(num / den), remainder = num - quotient * den in [0, den), for |num| <= 2^30 + 2^19, 0 < den <= 2^19.
+ * quotient = floor(num / den), remainder = num - quotient * den in [0, den), for |num| <= 2^30 + 2^19, 0 < den <= 2^30.
  * On ARMv6-M it is libgcc's __aeabi_uidiv and costs 23 instructions for quotients of -2..1, 66 for 0..319, 11
  * elsewhere: keep the quotient small there.
  */

@@ -5,8 +5,7 @@
 
 #define FARTHEST (INT64_C(1) << 28)
 
-/* v / |v| in Q14, |v| components below 2^30; of 0, (0, 0, 1). */
-static void unit_q14(const int32_t v[3], q14_t out[3])
+void object_unit(const int32_t v[3], q14_t out[3])
 {
     uint32_t largest = 0;
     for (int i = 0; i < 3; i++)
@@ -66,7 +65,7 @@ static void near_point(const q16_t world[3], const struct scene_mesh *mesh, cons
     out->near = down == 0;
     if (down) { /* so far that the mesh is a point */
         q14_t unit[3];
-        unit_q14(out->at, unit);
+        object_unit(out->at, unit);
         for (int i = 0; i < 3; i++)
             out->at[i] = unit[i];
     }
@@ -83,7 +82,7 @@ static void towards_point(const struct object_point *point, const int32_t place[
     int32_t way[3];
     for (int i = 0; i < 3; i++)
         way[i] = point->at[i] - place[i]; /* below 2^28 + 2^16 */
-    unit_q14(way, out);
+    object_unit(way, out);
 }
 
 static void half_way(const q14_t a[3], const q14_t b[3], q14_t out[3])
@@ -91,7 +90,7 @@ static void half_way(const q14_t a[3], const q14_t b[3], q14_t out[3])
     int32_t sum[3];
     for (int i = 0; i < 3; i++)
         sum[i] = a[i] + b[i];
-    unit_q14(sum, out);
+    object_unit(sum, out);
 }
 
 void object_light_at(const struct object_state *object, unsigned light, const int32_t place[3], q14_t towards[3],
@@ -147,20 +146,13 @@ void object_light_setup(struct object_state *object, const struct scene_header *
     }
 }
 
-static inline int16_t dot_q14(const q14_t a[3], const q14_t b[3])
-{
-    /* |a|, |b| <= 1 + 2^-12 in Q14: |sum| <= 2^28 (1 + 2^-11); each product at most 2^28. */
-    int32_t dot = (a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + (1 << 13)) >> 14;
-    return (int16_t)(dot > 16383 ? 16383 : dot < -16384 ? -16384 : dot);
-}
-
 /* N.L and N.H of a vertex for each light that is far, with a far eye. */
 static inline void light_vertex(const struct object_light *light, const struct object_light *end, const q14_t normal[3],
                                 int16_t *out)
 {
     for (; light != end; light++, out += 2) {
-        out[0] = dot_q14(normal, light->towards);
-        out[1] = dot_q14(normal, light->half);
+        out[0] = object_dot(normal, light->towards);
+        out[1] = object_dot(normal, light->half);
     }
 }
 
@@ -174,8 +166,8 @@ static void light_locally(const struct object_state *object, const struct scene_
         for (unsigned i = 0; i < lights; i++, out += 2) {
             q14_t towards[3], half[3];
             object_light_at(object, i, place, towards, half);
-            out[0] = dot_q14(vertex->normal, towards);
-            out[1] = dot_q14(vertex->normal, half);
+            out[0] = object_dot(vertex->normal, towards);
+            out[1] = object_dot(vertex->normal, half);
         }
     }
 }

@@ -45,6 +45,17 @@ void object_light_setup(struct object_state *object, const struct scene_header *
 void object_light_at(const struct object_state *object, unsigned light, const int32_t place[3], q14_t towards[3],
                      q14_t half[3]);
 
+/* v / |v| in Q14, components of v below 2^30; of 0, (0, 0, 1). */
+void object_unit(const int32_t v[3], q14_t out[3]);
+
+/* The dot product of two unit vectors as a vertex record has it. */
+static inline int16_t object_dot(const q14_t a[3], const q14_t b[3])
+{
+    /* |a|, |b| <= 1 + 2^-12 in Q14: |sum| <= 2^28 (1 + 2^-11); each product at most 2^28. */
+    int32_t dot = (a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + (1 << 13)) >> 14;
+    return (int16_t)(dot > 16383 ? 16383 : dot < -16384 ? -16384 : dot);
+}
+
 /* Fills the records of all of the mesh's vertices, `stride` int16_t apart: 1 if each could be placed. What a record has
  * behind its lights is the shading method's; its last word is made 0. */
 int object_place_vertices(const struct object_state *object, const struct scene_header *scene,

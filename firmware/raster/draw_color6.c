@@ -13,9 +13,9 @@ static void shade_run(struct raster *r, int x, int y, int n)
     }
 }
 
-static uint32_t draw(struct raster *r, struct edges *e)
+uint32_t draw_color6(struct raster *r, struct edges *e)
 {
     return raster_runs(r, e, shade_run);
 }
 
-const struct glint_method glint_color6 = {GLINT_COLOR6, 0, COLOUR_WORDS, shade_color6, draw};
+const struct glint_method glint_color6 = {GLINT_COLOR6, 0, COLOUR_WORDS, shade_color6, draw_color6, 0, 0};

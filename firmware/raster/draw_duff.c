@@ -12,4 +12,4 @@ static uint32_t draw(struct raster *r, struct edges *e)
     return raster_runs(r, e, shade_run);
 }
 
-const struct glint_method glint_duff = {GLINT_DUFF, 0, 0, shade_duff, draw};
+const struct glint_method glint_duff = {GLINT_DUFF, 0, 0, shade_duff, draw, 0, 0};

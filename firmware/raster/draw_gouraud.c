@@ -15,7 +15,7 @@ static void shade_run(struct raster *r, int x, int y, int n)
 }
 
 /* 565: fields of at most 6 bits, so a Q24 step count plus the rounding half stays below 2^30 and its sign shows. */
-FX_WRAPS static uint32_t spans(struct raster *r, struct edges *e)
+FX_WRAPS static __attribute__((noinline)) uint32_t spans(struct raster *r, struct edges *e)
 {
     const struct polynomial *pz = &r->setup.depth.p, *pr = &r->setup.channel[0].p, *pg = &r->setup.channel[1].p,
                             *pb = &r->setup.channel[2].p;
@@ -59,11 +59,11 @@ FX_WRAPS static uint32_t spans(struct raster *r, struct edges *e)
     return covered - hidden;
 }
 
-static uint32_t draw(struct raster *r, struct edges *e)
+uint32_t draw_gouraud(struct raster *r, struct edges *e)
 {
     if (r->setup.plane.sliver || r->format != GLINT_RGB565 || r->dither)
         return raster_runs(r, e, shade_run);
     return spans(r, e);
 }
 
-const struct glint_method glint_gouraud = {GLINT_GOURAUD, 0, COLOUR_WORDS, shade_gouraud, draw};
+const struct glint_method glint_gouraud = {GLINT_GOURAUD, 0, COLOUR_WORDS, shade_gouraud, draw_gouraud, 0, 0};

@@ -7,6 +7,6 @@ static uint32_t draw(struct raster *r, struct edges *e)
     return raster_runs(r, e, r->setup.perspective ? normals_run_perspective : normals_run);
 }
 
-const struct glint_method glint_phong_perspective = {GLINT_PHONG, 0, 0, shade_phong_perspective, draw};
-const struct glint_method glint_biquadratic_perspective = {GLINT_BIQUADRATIC, 0, 0, shade_biquadratic_perspective,
-                                                           draw};
+const struct glint_method glint_phong_perspective = {GLINT_PHONG, 0, 0, shade_phong_perspective, draw, 0, 0};
+const struct glint_method glint_biquadratic_perspective = {
+    GLINT_BIQUADRATIC, 0, 0, shade_biquadratic_perspective, draw, 0, 0};

@@ -7,4 +7,4 @@ static uint32_t draw(struct raster *r, struct edges *e)
     return raster_runs(r, e, normals_run);
 }
 
-const struct glint_method glint_overveld = {GLINT_OVERVELD, 0, 0, shade_overveld, draw};
+const struct glint_method glint_overveld = {GLINT_OVERVELD, 0, 0, shade_overveld, draw, 0, 0};

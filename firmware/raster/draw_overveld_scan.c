@@ -97,4 +97,4 @@ static uint32_t draw(struct raster *r, struct edges *e)
     return raster_runs(r, e, shade_run);
 }
 
-const struct glint_method glint_overveld_scan = {GLINT_OVERVELD, 0, 0, shade_overveld_scan, draw};
+const struct glint_method glint_overveld_scan = {GLINT_OVERVELD, 0, 0, shade_overveld_scan, draw, 0, 0};

@@ -12,5 +12,5 @@ static uint32_t draw(struct raster *r, struct edges *e)
     return r->setup.perspective ? raster_runs(r, e, shade_run) : raster_draw_dots(r, e);
 }
 
-const struct glint_method glint_x_perspective = {GLINT_X, 1, 0, shade_x_perspective, draw};
-const struct glint_method glint_six_perspective = {GLINT_SIX, 1, 0, shade_six_perspective, draw};
+const struct glint_method glint_x_perspective = {GLINT_X, 1, 0, shade_x_perspective, draw, 0, 0};
+const struct glint_method glint_six_perspective = {GLINT_SIX, 1, 0, shade_six_perspective, draw, 0, 0};

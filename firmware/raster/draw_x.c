@@ -2,11 +2,6 @@
 /* The pixels of X-shading and of the six-sample quadratic. */
 #include "raster/dots.h"
 
-static void shade_run(struct raster *r, int x, int y, int n)
-{
-    dots_shade(r, x, y, n, DOTS_PLAIN);
-}
-
 /* A channel's value and first difference at column i, row j of its origin, for the loops below. Nothing is carried from
  * row to row: half of a dense mesh's rows hold no pixel, and would pay for it. */
 FX_WRAPS static inline uint32_t start_value(const struct polynomial *p, uint32_t i, uint32_t j, int quadratic,
@@ -19,6 +14,49 @@ FX_WRAPS static inline uint32_t start_value(const struct polynomial *p, uint32_t
     uint32_t d = p->d + p->c * j, ai = p->a * i;
     *step = d + 2 * ai + p->a;
     return p->f + (p->e + p->b * j) * j + (d + ai) * i;
+}
+
+/* Grey under one light: both dot products stepped, and summed at once. A template; the bits are those of dots_shade().
+ */
+FX_WRAPS static inline __attribute__((always_inline)) void shade_grey(struct raster *r, int x, int y, int n,
+                                                                      int highlight)
+{
+    const struct surface *s = &r->surface;
+    const struct shade_setup *setup = &r->setup;
+    const struct polynomial *pl = &setup->channel[0].p, *ph = &setup->channel[1].p;
+    const uint32_t i = (uint32_t)(x - setup->plane.ox), j = (uint32_t)(y - setup->plane.oy);
+    const uint32_t al = 2 * pl->a, ah = 2 * ph->a, base = s->base[0];
+    uint32_t dl, dh = 0, vl = start_value(pl, i, j, 1, &dl), vh = 0, *sum = r->sum[0];
+    const uint16_t diffuse = s->light[0].diffuse[0], specular = s->light[0].specular[0];
+    if (highlight)
+        vh = start_value(ph, i, j, 1, &dh);
+    for (const uint32_t *end = sum + 3 * n; sum != end; sum += 3) {
+        uint32_t value = base;
+        if ((int32_t)vl > 0)
+            value += surface_diffuse(vl >> 15, diffuse);
+        if (highlight) {
+            uint32_t power = fx_power(s->power, (q30_t)vh);
+            if (power)
+                value += surface_diffuse(power, specular);
+            vh += dh;
+            dh += ah;
+        }
+        *sum = value;
+        vl += dl;
+        dl += al;
+    }
+}
+
+static void shade_run(struct raster *r, int x, int y, int n)
+{
+    const struct shade_setup *setup = &r->setup;
+    if (r->surface.channels != 1 || r->surface.lights != 1 || setup->runs_only || r->surface.form ||
+        !setup->diffuse_lights)
+        dots_shade(r, x, y, n, DOTS_PLAIN);
+    else if (setup->specular_lights)
+        shade_grey(r, x, y, n, 1);
+    else
+        shade_grey(r, x, y, n, 0);
 }
 
 /* The shape compilers know as a saturation. */
@@ -128,5 +166,5 @@ FX_WRAPS uint32_t raster_draw_dots(struct raster *r, struct edges *e)
     return spans_dark(r, e, colours);
 }
 
-const struct glint_method glint_x = {GLINT_X, 1, 0, shade_x, raster_draw_dots};
-const struct glint_method glint_six = {GLINT_SIX, 1, 0, shade_six, raster_draw_dots};
+const struct glint_method glint_x = {GLINT_X, 1, 0, shade_x, raster_draw_dots, 0, 0};
+const struct glint_method glint_six = {GLINT_SIX, 1, 0, shade_six, raster_draw_dots, 0, 0};

@@ -28,12 +28,25 @@ struct colour_table {
     uint16_t colour[TABLE_HIGHLIGHT][TABLE_DIFFUSE];
 };
 
+/* Defaults of what follows; the first and last are the paper's (Cho et al. 1996). */
+#define SPLIT_AREA      32
+#define SPLIT_TOLERANCE 4
+#define SPLIT_THRESHOLD 77 /* .3 */
+
+/* When the subdividing methods split, from the configuration. */
+struct split_limits {
+    uint16_t area;     /* pixels */
+    uint8_t threshold; /* of the colour, 1/256 */
+    uint8_t tolerance; /* 1/255 of full intensity */
+};
+
 struct raster {
     /* the picture and the band in hand */
     uint16_t width, height;
     uint16_t y0, y1;
     uint8_t format, dither, tables;
     uint32_t stride;
+    struct split_limits split;
     uint8_t *pixels;
     uint16_t *depth; /* of the band, width a row */
     struct palette palette;
@@ -83,7 +96,16 @@ struct glint_method {
     void (*setup)(struct shade_setup *setup, const struct shade_input *in);
     /* Draws the set-up triangle over the band; returns the pixels that passed the depth test. */
     uint32_t (*draw)(struct raster *r, struct edges *e);
+    /* Null, or called when a frame begins with each object's vertex records, `stride` int16_t apart, placed and lit. */
+    void (*object)(const struct object_state *object, const struct scene_header *scene, int16_t *records,
+                   unsigned stride, struct glint_stats *stats);
+    /* Null, or which method a triangle is drawn by, which it is counted under: this one or a plainer. */
+    const struct glint_method *(*choose)(const struct shade_input *in);
 };
+
+/* These methods' draw. */
+uint32_t draw_gouraud(struct raster *r, struct edges *e);
+uint32_t draw_color6(struct raster *r, struct edges *e);
 
 /* The general way: `shade` fills r->sum for n pixels from (x, y), Q15 steps, unclamped. */
 typedef void raster_shade(struct raster *r, int x, int y, int n);

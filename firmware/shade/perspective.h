@@ -7,8 +7,8 @@
  * are linear and quadratic on the screen: the ordinary channels. A direction (a normal) needs no division, as
  * normalising it takes W away. W itself is the depth: closeness is near / w, linear on the screen.
  *
- * What the polynomials err by grows by 1 / W^2: where W spans 1.6 to 1 over a triangle across a 320x240 picture, at most
- * .03 of 1/256 besides; 4 to 1, .12; 17 to 1, 2.
+ * What the polynomials err by grows by 1 / W^2: where W spans 1.6 to 1 over a triangle across a 320x240 picture, at
+ * most .03 of 1/256 besides; 4 to 1, .12; 17 to 1, 2.
  */
 #ifndef GLINT_PERSPECTIVE_H
 #define GLINT_PERSPECTIVE_H

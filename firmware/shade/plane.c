@@ -80,7 +80,8 @@ void plane_setup_quadratic(struct plane *plane)
     uint32_t height = plane->scale > 0 ? plane->det << plane->scale : plane->det >> -plane->scale;
     plane->thin = scaled_up(plane) > MOST_UP_QUADRATIC || height < 32u << 14;
     plane->r2 = (int32_t)(fx_mulhi_u32(plane->r, plane->r) >> 1);
-    plane->far = plane->scale < 0 || (uint32_t)(plane->fx + 8) > 16 || (uint32_t)(plane->fy + 8) > 16;
+    /* within -8..23 sixteenths of corner 0, or not */
+    plane->far = ((uint32_t)((plane->fx + 8) | (plane->fy + 8)) >> 5 | (uint32_t)plane->scale >> 31) != 0;
 }
 
 /* x * 2^up modulo 2^32, or rounded to nearest for up < 0. */

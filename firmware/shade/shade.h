@@ -26,6 +26,7 @@ struct shade_input {
     uint8_t divides; /* the view is a perspective one */
     uint8_t no_plan; /* keep effects that cannot show */
     uint8_t tabled;  /* a colour table holds the material's power, of N.H itself */
+    uint8_t sampled; /* mid-edges may need a look of their own: something is near, or the power has another form */
 };
 
 /* Which of the source's corners is the input's corner k. */
@@ -60,7 +61,32 @@ struct shade_rows {
     uint32_t width, up, inverse; /* of the row: 2^-8 sub-pixels; its leading zero bits; 2^63 / (width << up) */
 };
 
+/* A corner of a part that a triangle is split into: where it is in the barycentric coordinates of the triangle's
+ * corners on the screen, Q15, the third being the rest; and its finished colour, Q8 steps, at most 255 * 2^8. */
+struct part_corner {
+    uint16_t weight[2];
+    uint16_t colour[3];
+};
+
+/* A part that is or may be split into 4: corners, and the middles of its edges 01, 12, 20. */
+struct part_split {
+    struct part_corner corner[6];
+    uint16_t next; /* the next of the 4 to be drawn */
+};
+#define PART_DEPTH 5 /* times that a triangle is split at most */
+
 struct shade_setup {
+    union { /* what set-up finds out, all 0 before it */
+        uint32_t found[2];
+        struct {
+            uint8_t perspective;     /* channels are numerators: 1 + how far closeness is moved up; 0: as they are */
+            uint8_t diffuse_lights;  /* x: bit i: light i reaches the triangle */
+            uint8_t specular_lights; /* x: bit i: light i's highlight does */
+            uint8_t quadratic;       /* some channel bends (x: visibly); 0: all are linear */
+            uint8_t folded;    /* N.H is that of a form of the power folded with this `down`; 0: the dot product */
+            uint8_t runs_only; /* x: a channel that no polynomial holds, or N.H beyond what a table's loop can index */
+        };
+    };
     struct plane plane;
     struct channel depth;
     union {
@@ -69,14 +95,12 @@ struct shade_setup {
             struct channel before_rows[6]; /* the place's among them */
             struct shade_rows rows;
         };
+        struct { /* subdivision: colours are 3 channels, behind them there is room */
+            struct channel colour[3];
+            struct part_split split[PART_DEPTH + 1]; /* a stack, the part in hand on top */
+        } parts;
     };
-    uint32_t flat[3];        /* flat: the finished colour, Q15 steps */
-    uint8_t perspective;     /* channels are numerators: 1 + how far closeness is moved up; 0: as they are */
-    uint8_t diffuse_lights;  /* x: bit i: light i reaches the triangle */
-    uint8_t specular_lights; /* x: bit i: light i's highlight does */
-    uint8_t quadratic;       /* some channel bends (x: visibly); 0: all are linear */
-    uint8_t folded;          /* N.H is that of a form of the power folded with this `down`; 0: the dot product */
-    uint8_t runs_only;       /* x: a channel that no polynomial holds, or N.H beyond what a table's loop can index */
+    uint32_t flat[3]; /* flat: the finished colour, Q15 steps */
 };
 
 /* Each fills the channels it needs; plane and depth are done. */

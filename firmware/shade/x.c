@@ -75,7 +75,7 @@ void shade_x_perspective(struct shade_setup *setup, const struct shade_input *in
 
 void shade_x(struct shade_setup *setup, const struct shade_input *in)
 {
-    if (in->object->local || in->surface->form) {
+    if (in->sampled && (in->object->local || in->surface->form)) {
         setup_by_samples(setup, in, 0);
         return;
     }

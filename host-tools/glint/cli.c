@@ -6,6 +6,7 @@
 #include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
@@ -57,6 +58,17 @@ bool cli_number(const char *text, uint32_t low, uint32_t high, uint32_t *value)
     if (!end || *end || number < low || number > high)
         return false;
     *value = number;
+    return true;
+}
+
+bool cli_fraction(const char *text, uint8_t *value)
+{
+    char *end;
+    size_t plain = strspn(text, "0123456789.");
+    double number = strtod(text, &end) * 256;
+    if (plain == 0 || text[plain] || end != text + plain || number < 1 || number >= 255.5)
+        return false;
+    *value = (uint8_t)(number + .5);
     return true;
 }
 

@@ -16,8 +16,10 @@ __attribute__((format(printf, 2, 3))) int cli_usage(const char *command, const c
 /* The same for a value that the option `name` does not take: prints what `help` says of that option. */
 int cli_refuse(const char *command, const char *help, const char *name, const char *value);
 
-/* A whole number in low..high, or WIDTHxHEIGHT with both in 1..GLINT_MAX_SIZE. The outputs change only on success. */
+/* A whole number in low..high, a decimal fraction as 1..255 of 256, or WIDTHxHEIGHT with both in 1..GLINT_MAX_SIZE. The
+ * outputs change only on success. */
 bool cli_number(const char *text, uint32_t low, uint32_t high, uint32_t *value);
+bool cli_fraction(const char *text, uint8_t *value);
 bool cli_size(const char *text, uint16_t *width, uint16_t *height);
 
 /* The index of `text` in names[count], or -1. */

@@ -21,7 +21,12 @@ static const char render_help[] =
     "                         a folder with '/' at its end (numbered PNG files), or - for standard output\n"
     "      --output-format F  " OUTPUT_FORMATS ", whatever the ending\n"
     "      --method M         one of `glint methods`, default x\n"
-    "      --subdivide MODE   with --method subdivide\n"
+    "      --subdivide MODE   with --method subdivide: centre (default), regular, highlight, recursive, hybrid, "
+    "hybrid-x\n"
+    "      --tolerance N      subdivide centre: splits while the centre errs by more, 1..255 in 1/255, default 4\n"
+    "      --area N           subdivide recursive and regular: splits down to N pixels, 1..65535, default 32\n"
+    "      --threshold F      subdivide highlight: halves edges while the colour errs by more, .004 to .996 of it,\n"
+    "                         default .3\n"
     "      --power P          of the highlight: table (default), exact, or free of powers by squarings: 4, 8, 16\n"
     "      --perspective      the method's perspective-correct variant\n"
     "      --size WxH         in pixels, each 1..2048; the default is the camera's\n"
@@ -58,6 +63,9 @@ enum render_option {
     RENDER_METHOD,
     RENDER_POWER,
     RENDER_SUBDIVIDE,
+    RENDER_TOLERANCE,
+    RENDER_AREA,
+    RENDER_THRESHOLD,
     RENDER_PERSPECTIVE,
     RENDER_SIZE,
     RENDER_FRAMES,
@@ -80,6 +88,9 @@ static const struct option render_options[] = {{"output", required_argument, NUL
                                                {"method", required_argument, NULL, RENDER_METHOD},
                                                {"power", required_argument, NULL, RENDER_POWER},
                                                {"subdivide", required_argument, NULL, RENDER_SUBDIVIDE},
+                                               {"tolerance", required_argument, NULL, RENDER_TOLERANCE},
+                                               {"area", required_argument, NULL, RENDER_AREA},
+                                               {"threshold", required_argument, NULL, RENDER_THRESHOLD},
                                                {"perspective", no_argument, NULL, RENDER_PERSPECTIVE},
                                                {"size", required_argument, NULL, RENDER_SIZE},
                                                {"frames", required_argument, NULL, RENDER_FRAMES},
@@ -142,6 +153,12 @@ static bool render_value(struct render *render, int option, const char *text)
         return cli_number(text, 1, GLINT_MAX_SIZE, &render->band_rows);
     case RENDER_TABLES:
         return cli_number(text, 0, 255, &number) && render_choose((int)number, &config->tables);
+    case RENDER_TOLERANCE:
+        return cli_number(text, 1, 255, &number) && render_choose((int)number, &config->subdivide_tolerance);
+    case RENDER_AREA:
+        return cli_number(text, 1, UINT16_MAX, &number) && (config->subdivide_area = (uint16_t)number, true);
+    case RENDER_THRESHOLD:
+        return cli_fraction(text, &config->subdivide_threshold);
     case RENDER_SHININESS:
         return cli_number(text, 1, FX_POWER_MAX_EXPONENT, &number) && (render->pack.shininess = number, true);
     default: /* RENDER_STATS */
@@ -188,6 +205,8 @@ static void render_flag(struct render *render, int option)
 static int render_choose_method(struct render *render)
 {
     char name[64];
+    if (!render->subdivide && strcmp(render->method, "subdivide") == 0)
+        render->subdivide = "centre";
     int length = snprintf(name, sizeof name, "%s%s%s%s", render->method, render->subdivide ? "-" : "",
                           render->subdivide ? render->subdivide : "", render->perspective ? "-perspective" : "");
     if (length < (int)sizeof name)

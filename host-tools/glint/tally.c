@@ -14,6 +14,8 @@ void tally_add(struct tally *tally, const struct glint_stats *stats)
     tally->clipped += stats->clipped;
     tally->dropped += stats->dropped;
     tally->setups += stats->setups;
+    tally->highlight_tests += stats->highlight_tests;
+    tally->potentially_highlighted += stats->potentially_highlighted;
     tally->specular_triangles += stats->specular_triangles;
     tally->linear_triangles += stats->linear_triangles;
     for (int m = 0; m < GLINT_METHODS; m++) {
@@ -70,6 +72,8 @@ void tally_print(const struct tally *tally, const struct renderer *renderer, boo
     tally_methods("pixels", tally->pixels, json);
     tally_count("specular_triangles", tally->specular_triangles, "drawn ones that a highlight can reach", json);
     tally_count("linear_triangles", tally->linear_triangles, "drawn by x or six, their bend too small to show", json);
+    tally_count("highlight_tests", tally->highlight_tests, "of triangles, where the method asks for them", json);
+    tally_count("potentially_highlighted", tally->potentially_highlighted, "those that passed", json);
     tally_count("setups", tally->setups, "", json);
     printf(json ? "\"ms_per_frame\": %.3f}\n" : "ms_per_frame         %.3f  on this machine, without output\n", each);
 }

@@ -11,7 +11,8 @@
 struct tally {
     uint32_t frames;
     double milliseconds;
-    uint64_t triangles, culled, rejected, clipped, dropped, setups, specular_triangles, linear_triangles;
+    uint64_t triangles, culled, rejected, clipped, dropped, setups, specular_triangles, linear_triangles,
+        highlight_tests, potentially_highlighted;
     uint64_t drawn[GLINT_METHODS], pixels[GLINT_METHODS];
 };
 

@@ -36,9 +36,9 @@ const struct method methods[REFERENCE_METHODS] = {
                                      true, subdivide_setup_regular, NULL},
     [REFERENCE_SUBDIVIDE_HIGHLIGHT] = {"subdivide-highlight", "gouraud, and parts that meet in a highlight's centre",
                                        false, true, subdivide_setup_highlight, subdivide_pixel_highlight},
-    [REFERENCE_HYBRID_PHONG] = {"hybrid-phong", "gouraud, and phong where a highlight can lie", false, true,
+    [REFERENCE_HYBRID_PHONG] = {"subdivide-hybrid", "gouraud, and phong where a highlight can lie", false, true,
                                 subdivide_setup_hybrid_phong, NULL},
-    [REFERENCE_HYBRID_X] = {"hybrid-x", "gouraud, and x where a highlight can lie", false, true,
+    [REFERENCE_HYBRID_X] = {"subdivide-hybrid-x", "gouraud, and x where a highlight can lie", false, true,
                             subdivide_setup_hybrid_x, NULL},
 };
 

@@ -31,6 +31,9 @@ done <<'END'
 method color X flatt x-x
 power 5 fast
 subdivide nowhere
+tolerance 0 256 4.0
+area 0 65536 -1
+threshold 0 1 -.3 .3x . 1e-1 0x.8 .001
 size 0x1 1x0 2049x1 1x2049 10 10x 10x10x x10 -1x1 +5x5 99999999999x1
 frames 0 -1 1.5 1e3 99999999999
 fps 0 1001 x

@@ -88,6 +88,16 @@ run 'stats are printed as JSON' 0 "$glint" render "$torus" --stats=json --frames
 if python3 -c 'import json,sys; s=json.load(open(sys.argv[1])); assert s["triangles"]==576 and s["pixels"]["x"]>50000' "$top/out"
 then say ok 'that a parser takes'; else say FAIL 'that a parser takes' "$(cat "$top/out")"; fi
 
+run 'highlights are counted' 0 "$glint" render "$torus" --method subdivide --subdivide hybrid --stats
+matches 'by the triangles tested' "$top/out" '^highlight_tests +288 '
+for option in --tolerance=9,centre --area=999,regular --threshold=.05,highlight; do
+    mode=${option#*,}
+    run "subdivide $mode is drawn" 0 "$glint" render "$torus" --method subdivide --subdivide "$mode" --hash
+    cp "$top/out" plain
+    run "with ${option%,*} too" 0 "$glint" render "$torus" --method subdivide --subdivide "$mode" "${option%,*}" --hash
+    if cmp -s plain "$top/out"; then say FAIL 'and another picture' "$(cat plain)"; else say ok 'and another picture'; fi
+done
+
 run 'the truth is drawn' 0 "$glint" reference "$torus" --format grey8 -o truth.png
 run 'and ideal arithmetic' 0 "$glint" reference "$torus" --format grey8 --method x -o ideal.png
 run 'and integers' 0 "$glint" render "$torus" --format grey8 --method x -o x.png
