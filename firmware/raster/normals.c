@@ -18,40 +18,39 @@ static inline __attribute__((always_inline)) void put_unit(struct raster *r, int
     r->value[2][i] = fx_mulhi_s32(z * (1 << half), inverse);
 }
 
-static inline void put_none(struct raster *r, int i)
+/* Any length: the largest component is first moved to 15 bits. */
+static void normalise_one(struct raster *r, int i)
 {
-    r->value[0][i] = r->value[1][i] = r->value[2][i] = 0;
+    int32_t x = r->value[0][i], y = r->value[1][i], z = r->value[2][i];
+    uint32_t size = (uint32_t)((x ^ x >> 31) | (y ^ y >> 31) | (z ^ z >> 31)); /* of the largest, within a bit */
+    if (size < SHORTEST) {
+        r->value[0][i] = r->value[1][i] = r->value[2][i] = 0;
+        return;
+    }
+    const int32_t up = 1 << (fx_clz(size) - 1); /* 2^0..2^18: within [-2^31, 2^31) */
+    x = x * up >> 16;
+    y = y * up >> 16;
+    z = z * up >> 16; /* within [-2^15, 2^15): each square at most 2^30, their sum at least 2^28 */
+    put_unit(r, i, x, y, z, (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z));
+}
+
+static void normalise_any(struct raster *r, int n)
+{
+    for (int i = 0; i < n; i++)
+        normalise_one(r, i);
 }
 
 /* Q30 in, Q15 out. Less than 1.2 long: what is linear is at most 1 + 2^-13, for corners that were rounded. One shorter
- * than 2^-6 (opposite corners) counts as its direction's zero. */
+ * than 2^-6 (between opposite corners, or where a quadratic passes 0) takes the longer way. */
 static void normalise(struct raster *r, int n)
 {
     for (int i = 0; i < n; i++) {
         int32_t x = r->value[0][i] >> 15, y = r->value[1][i] >> 15, z = r->value[2][i] >> 15; /* Q15 */
         uint32_t squared = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);         /* Q30, below 2^31 */
         if (squared < 1u << 18)
-            put_none(r, i);
+            normalise_one(r, i);
         else
             put_unit(r, i, x, y, z, squared);
-    }
-}
-
-/* Any length: the largest component is first moved to 15 bits. */
-static void normalise_any(struct raster *r, int n)
-{
-    for (int i = 0; i < n; i++) {
-        int32_t x = r->value[0][i], y = r->value[1][i], z = r->value[2][i];
-        uint32_t size = (uint32_t)((x ^ x >> 31) | (y ^ y >> 31) | (z ^ z >> 31)); /* of the largest, within a bit */
-        if (size < SHORTEST) {
-            put_none(r, i);
-            continue;
-        }
-        const unsigned down = 17 - fx_clz(size); /* 2..16 */
-        x >>= down;
-        y >>= down;
-        z >>= down; /* within [-2^15, 2^15): each square at most 2^30, their sum at least 2^28 */
-        put_unit(r, i, x, y, z, (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z));
     }
 }
 

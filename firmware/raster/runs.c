@@ -59,7 +59,7 @@ static uint32_t count_bits(uint32_t mask)
 }
 
 /* A run's mask of visible pixels. */
-static inline uint32_t test_depth(struct raster *r, int x, int y, int n)
+FX_WRAPS static inline uint32_t test_depth(struct raster *r, int x, int y, int n)
 {
     const struct channel *channel = &r->setup.depth;
     uint16_t *depth = r->depth + (uint32_t)(y - r->y0) * r->width + x;
