@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The pixels of X-shading and of the six-sample quadratic. */
 #include "raster/dots.h"
+#include "raster/runs.h"
 
 /* A channel's value and first difference at column i, row j of its origin, for the loops below. Nothing is carried from
  * row to row: half of a dense mesh's rows hold no pixel, and would pay for it. */
@@ -47,7 +48,7 @@ FX_WRAPS static inline __attribute__((always_inline)) void shade_grey(struct ras
     }
 }
 
-static void shade_run(struct raster *r, int x, int y, int n)
+RUNS_APART static void shade_run(struct raster *r, int x, int y, int n)
 {
     const struct shade_setup *setup = &r->setup;
     if (r->surface.channels != 1 || r->surface.lights != 1 || setup->runs_only || r->surface.form ||
@@ -144,12 +145,17 @@ CASE(spans_diffuse_quadratic, 1, 0, 1)
 CASE(spans_both, 1, 1, 0)
 CASE(spans_both_quadratic, 1, 1, 1)
 
+RUNS_APART static uint32_t draw_runs(struct raster *r, struct edges *e)
+{
+    return runs_draw(r, e, shade_run);
+}
+
 FX_WRAPS uint32_t raster_draw_dots(struct raster *r, struct edges *e)
 {
     struct shade_setup *setup = &r->setup;
     const struct colour_table *table = r->surface_table;
     if (!table || setup->runs_only)
-        return raster_runs(r, e, shade_run);
+        return draw_runs(r, e);
     const uint16_t *colours = table->colour[0];
     /* N.L rounded to the table's steps: half a step more. N.H counts from the foot of the power. */
     const uint32_t half = 1u << 23;
