@@ -47,13 +47,22 @@ static void near_point(const q16_t world[3], const struct scene_mesh *mesh, cons
     struct matrix rotation = rotation_matrix(&pose->rotation);
     int32_t from[3], turned[3];
     int64_t place[3], largest = 0;
-    for (int i = 0; i < 3; i++) /* positions are below 2^30: a quarter of the difference is below 2^29 */
-        from[i] = (int32_t)(((int64_t)world[i] - pose->position[i]) >> 2);
+    /* matrix_apply_transposed() wants less than 2^29; differences of positions are below 2^31. They are taken times
+     * 2^up / 4: what is near gets up to 12 bits more, since a small mesh has few positions to a Q16. */
+    int up = 14;
+    for (int i = 0; i < 3; i++) {
+        int64_t way = (int64_t)world[i] - pose->position[i];
+        while ((way < 0 ? -way : way) << up >> 2 >= 1 << 29)
+            up--;
+    }
+    for (int i = 0; i < 3; i++)
+        from[i] = (int32_t)((((int64_t)world[i] - pose->position[i]) * (1 << up)) >> 2);
     matrix_apply_transposed(&rotation, from, turned);
     for (int i = 0; i < 3; i++) {
-        /* 2^31 * 2^18 / scale >= 2^8 in Q16: below 2^42; times 2^15: below 2^57 */
-        int64_t local = ((int64_t)turned[i] * (1 << 18)) / pose->scale - mesh->centre[i];
-        place[i] = local * 32768 / mesh->extent;
+        /* Q31 of the mesh's units, times 2^up / 4: below 2^60, the centre's share below 2^30 * 2^27 */
+        int64_t local = (int64_t)turned[i] * (INT64_C(1) << 31) / pose->scale -
+                        (int64_t)mesh->centre[i] * (INT64_C(1) << (13 + up));
+        place[i] = local / mesh->extent * 4 / (1 << up);
         int64_t size = place[i] < 0 ? -place[i] : place[i];
         largest = size > largest ? size : largest;
     }

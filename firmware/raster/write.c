@@ -7,7 +7,7 @@ static const uint8_t bayer[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}
 
 #define HALF_STEP (1u << 14)
 
-/* Sums stay below 9 * 2 * 255 * 2^15 < 2^31 (eight lights and the ambient part): adding a step fits. */
+/* Sums stay below (8 * 3 + 1) * 255 * 2^15 < 2^28 (eight lights and the ambient part): adding a step fits. */
 static inline uint32_t level(uint32_t sum, uint32_t threshold, uint32_t top)
 {
     uint32_t v = (sum + threshold) >> 15;

@@ -99,6 +99,7 @@ static void interpolate(struct shade_setup *setup, const struct shade_input *in,
             plane_linear_wide(&setup->plane, folded, channel);
         else
             plane_quadratic_wide(&setup->plane, folded, bulge, channel);
+        setup->quadratic |= (uint8_t)!linear;
     } else if (perspective) {
         perspective_quadratic(perspective, &setup->plane, value, bulge, channel);
     } else if (linear) {

@@ -65,7 +65,7 @@ static void random_lights(struct scene_case *c)
     double centre[3], v[3];
     world_place(middle, centre);
     for (int i = 0; i < 5; i++) { /* the last is the eye */
-        double away = (i == 4 ? 3 : 2.5) * size + random_magnitude(CASE_UNIT, 1000. * CASE_UNIT);
+        double away = (i == 4 ? 3 : 2.5) * size + random_magnitude(fmin(size, CASE_UNIT), 1000. * CASE_UNIT);
         random_direction(v, 3);
         for (int k = 0; k < 3; k++)
             if (i == 4)
