@@ -39,7 +39,7 @@ void shade_color6(struct shade_setup *setup, const struct shade_input *in)
         int32_t value[3], bulge[3];
         for (int k = 0; k < 3; k++) /* at most 2^16 in Q8 steps */
             value[k] = (int32_t)corner[k][c] * (1 << up) >> 2;
-        for (int k = 0; k < 3; k++) { /* 2 (Ii + Ij - 2 Iij): the half at most 2^17 in Q8, twice it 2^30 in Q28 of the channel */
+        for (int k = 0; k < 3; k++) { /* 2 (Ii + Ij - 2 Iij), half of it at most 2^17: 2^30 in Q28 */
             int32_t twice = corner[k][c] + corner[k == 2 ? 0 : k + 1][c] - 2 * middle[k][c];
             bulge[k] = twice * (1 << up) * (1 << 13);
         }
