@@ -13,10 +13,8 @@ static void find_middles(const struct shade_input *in, struct part_corner corner
         part_between(in, &corner[k], &corner[k == 2 ? 0 : k + 1], &corner[3 + k]);
 }
 
-/* Sub-pixels: what is lower is not split, so that its parts, half as high, have polynomials: linear from half a pixel
- * on, quadratic from a pixel on. */
-#define SPLIT_LINEAR    16
-#define SPLIT_QUADRATIC 32
+/* Sub-pixels: what is lower is not split, so that its parts, half as high, have polynomials: from half a pixel on. */
+#define SPLIT_LEAST 16
 
 static int32_t height_of(const struct raster *r, const struct part_corner corner[3])
 {
@@ -31,7 +29,7 @@ static unsigned depth_of(const struct raster *r, const struct part_corner corner
     uint32_t area = r->setup.plane.det; /* 512 a pixel: sub-pixels' squares, twice */
     int32_t height = height_of(r, corner);
     unsigned depth = 0;
-    for (; depth < PART_DEPTH && area > (uint32_t)r->split.area << 9 && height >= SPLIT_LINEAR; depth++) {
+    for (; depth < PART_DEPTH && area > (uint32_t)r->split.area << 9 && height >= SPLIT_LEAST; depth++) {
         area >>= 2;
         height >>= 1;
     }
@@ -83,7 +81,7 @@ static uint32_t split(struct raster *r, const struct edges *e, unsigned depth, i
             if (more || centre)
                 find_middles(&r->input, part);
             if (centre)
-                more = more && height_of(r, part) >= SPLIT_QUADRATIC && errs_at_centre(r, part);
+                more = more && height_of(r, part) >= SPLIT_LEAST && errs_at_centre(r, part);
             if (!more)
                 drawn += centre ? parts_quadratic(r, corner, &part[3], from, to) : parts_linear(r, corner, from, to);
         }
@@ -115,7 +113,7 @@ static uint32_t draw_by_size(struct raster *r, struct edges *e)
 
 static uint32_t draw_by_centre(struct raster *r, struct edges *e)
 {
-    if (height_of(r, take_whole(r)) >= SPLIT_QUADRATIC / 2)
+    if (height_of(r, take_whole(r)) >= SPLIT_LEAST)
         return split(r, e, PART_DEPTH, 1);
     shade_color6(&r->setup, &r->input); /* exact at each pixel of what is that low */
     return draw_color6(r, e);

@@ -351,7 +351,7 @@ static struct reference_image ideal(const char *path, unsigned shininess, enum r
                                     struct pack_result *mesh)
 {
     const struct pack_options pack = {.shininess = shininess};
-    const struct reference_options options = {.method = method, .grey = true};
+    const struct reference_options options = {.width = 240, .height = 240, .method = method, .grey = true};
     struct reference_image image;
     assert_int_equal(pack_load(path, &pack, mesh), PACK_OK);
     assert_true(reference_render(mesh->scene, &options, &image));
@@ -381,6 +381,35 @@ static void every_mode_is_its_ideal_rounded(void **state)
             reference_free(&image);
             pack_free(&mesh);
         }
+}
+
+/* Rims seen edge on, triangles and parts lower than a pixel: what is left is where they are lower than half of one. */
+static void thin_triangles_are_near_their_ideal(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *path;
+        const struct glint_method *method;
+        enum reference_method ideal;
+        double psnr, most; /* as measured, and a little */
+    } rows[] = {
+        {"tests/scenes/pawn.json", &glint_subdivide_recursive, REFERENCE_SUBDIVIDE_RECURSIVE, 58.3, .75},
+        {"tests/scenes/pawn.json", &glint_subdivide_centre, REFERENCE_SUBDIVIDE_CENTRE, 58.1, 8},
+        {"tests/scenes/pawn.json", &glint_subdivide_highlight, REFERENCE_SUBDIVIDE_HIGHLIGHT, 58.5, 1.1},
+        {"tests/scenes/teapot896.json", &glint_subdivide_recursive, REFERENCE_SUBDIVIDE_RECURSIVE, 58.6, .75},
+        {"tests/scenes/teapot896.json", &glint_subdivide_regular, REFERENCE_SUBDIVIDE_REGULAR, 58.6, .75},
+        {"tests/scenes/teapot896.json", &glint_subdivide_centre, REFERENCE_SUBDIVIDE_CENTRE, 47.5, 57},
+        {"tests/scenes/teapot896.json", &glint_subdivide_highlight, REFERENCE_SUBDIVIDE_HIGHLIGHT, 50.6, 43},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct pack_result mesh;
+        struct reference_image image = ideal(rows[i].path, 20, rows[i].ideal, &mesh);
+        struct compare_result result = measure(&mesh, &image, rows[i].method);
+        print_message("row %zu: %.2f dB, largest %.2f\n", i, result.psnr_db, result.max);
+        assert_true(result.psnr_db >= rows[i].psnr && result.max <= rows[i].most);
+        reference_free(&image);
+        pack_free(&mesh);
+    }
 }
 
 /* The torus of 288 against Phong in double precision. Centre error and Gouraud + Phong: ideal arithmetic gives 46.3,
@@ -424,6 +453,7 @@ int main(void)
         cmocka_unit_test(limits_left_out_are_the_papers),
         cmocka_unit_test(triangles_are_counted_under_what_draws_them),
         cmocka_unit_test(every_mode_is_its_ideal_rounded),
+        cmocka_unit_test(thin_triangles_are_near_their_ideal),
         cmocka_unit_test(the_torus_is_as_good_as_ideal_arithmetic_makes_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
