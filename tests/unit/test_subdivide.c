@@ -243,24 +243,49 @@ static void bands_of_any_height_give_the_same_bits(void **state)
 
 /* --- how triangles are split --- */
 
-/* A large triangle, split as deep as it can be: the stack holds, and what stands behind it stays. */
+/* The last scene with a small highlight within its triangle: the light is the viewer's mirror image there. */
+static struct scene_header *highlight_scene(void)
+{
+    double n[3], length = 0;
+    for (int i = 0; i < 3; i++) {
+        n[i] = vertex[0].normal[i] + vertex[1].normal[i] + vertex[2].normal[i];
+        length += n[i] * n[i];
+    }
+    for (int i = 0; i < 3; i++) /* 2 (n.v) n - v, v = (0, 0, 1) */
+        scene.light[0].vector[i] = (int32_t)lrint((2 * n[2] * n[i] / length - (i == 2)) * 0x1p30);
+    scene.head.camera.viewer = VIEWER_INFINITE;
+    scene.material[0].shininess = 1000;
+    return scene_case_blob(&scene);
+}
+
+/* Large triangles, split as deep as they can be: the stack's last place is used, and what stands behind it stays. */
 static void the_stack_is_as_deep_as_the_deepest_split(void **state)
 {
     (void)state;
+    int deepest[2] = {0, 0};
     random_seed(14);
-    for (int i = 0; i < 40; i++) {
-        struct scene_header *blob = random_scene(0, 1000);
-        struct frame_case f = frame_case_small(2048, 1536, GLINT_GREY8);
+    for (int i = 0; i < 60; i++) {
+        free(random_scene(0, 1));
+        struct scene_header *blob = highlight_scene();
+        struct frame_case f = frame_case_small(1024, 768, GLINT_GREY8);
         f.config.method = methods[i % 2];
         f.config.subdivide_area = f.config.subdivide_tolerance = 1;
         frame_case_open_for(&f, blob);
-        memset(f.frame.raster->setup.flat, 0x5A, sizeof f.frame.raster->setup.flat);
-        frame_case_draw(&f, blob, 0);
-        for (int c = 0; c < 3; c++)
-            assert_int_equal(f.frame.raster->setup.flat[c], 0x5A5A5A5A);
+        assert_int_equal(glint_frame_begin(&f.frame, blob, 0), 0);
+        struct shade_setup *setup = &f.frame.raster->setup;
+        uint8_t *last = (uint8_t *)&setup->parts.split[PART_DEPTH], *behind = last + sizeof(struct part_split);
+        uint8_t *const end = (uint8_t *)setup->flat + sizeof setup->flat;
+        memset(last, 0x5A, (size_t)(end - last));
+        while (frame_case_band(&f))
+            ;
+        deepest[i % 2] += *last != 0x5A || last[1] != 0x5A;
+        for (; behind != end; behind++)
+            assert_int_equal(*behind, 0x5A);
         frame_case_close(&f);
         free(blob);
     }
+    print_message("split to the last: %d by size, %d by centre\n", deepest[0], deepest[1]);
+    assert_true(deepest[0] >= 5 && deepest[1] >= 5);
 }
 
 static uint8_t *torus_picture(const struct pack_result *torus, struct glint_config config, struct glint_stats *stats)
