@@ -103,6 +103,7 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
         r->surface_material = triangle->material;
         surface_setup(&r->surface, f->scene, scene_materials(f->scene) + triangle->material, &r->palette);
         raster_find_table(r);
+        in->tabled = r->surface_table != 0;
     }
 }
 

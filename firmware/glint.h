@@ -86,10 +86,12 @@ extern const struct glint_choice glint_choices[];
 extern const unsigned glint_choice_count;
 extern const char *const glint_method_names[GLINT_METHODS]; /* by enum glint_method_id */
 
-/* Forms of the highlight's power; null in a configuration: an interpolated table, within .29 of 1/255. */
+/* Forms of the highlight's power; null in a configuration: an interpolated table, within .5 of 1/255 (.3 where
+ * it is not cut to 0). */
 struct glint_power;
 extern const struct glint_power glint_power_exact; /* rounded to nearest, slow */
-/* max(0, 1 - (n / g)(1 - N.H))^g, no table and no power: off by at most 17.5, 7.6 and 3 of 1/255 at n = 50 */
+/* max(0, 1 - (n / g)(1 - N.H))^g for N.H > 0, no table and no power: off by at most 17.5, 7.6 and 3 of 1/255 at n = 50
+ */
 extern const struct glint_power glint_power_4, glint_power_8, glint_power_16;
 
 /* flags */

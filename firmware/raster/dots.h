@@ -12,7 +12,8 @@
 enum dots_kind {
     DOTS_PLAIN,       /* the channels are the dot products */
     DOTS_PERSPECTIVE, /* times W^2 */
-    DOTS_UNIT         /* times the length of the interpolated normal, whose square is channel SHADE_SQUARE */
+    DOTS_UNIT,        /* times the length of the interpolated normal, whose square is channel SHADE_SQUARE */
+    DOTS_UNIT_NEAR    /* the same as quadratics through samples, which can pass that length */
 };
 
 /* Adds `amount` (Q15) of a light's colour (Q8 steps at full) to a pixel: at most 1.0887 * 2^15 * 255 * 2^8 < 2^32. */
@@ -29,8 +30,25 @@ static inline __attribute__((always_inline)) void dots_divisors(struct raster *r
 {
     if (kind == DOTS_PERSPECTIVE)
         raster_divisors(r, x, y, n);
-    if (kind == DOTS_UNIT)
+    if (kind == DOTS_UNIT || kind == DOTS_UNIT_NEAR)
         raster_lengths(r, x, y, n);
+}
+
+/* The quotient of what passes `reach`, up to +-2 in Q30. */
+static __attribute__((noinline, unused)) int32_t dots_overshoot(int32_t p, struct perspective_divisor by)
+{
+    int64_t quotient = ((int64_t)p * by.half >> 30) * (INT64_C(1) << by.up); /* |p| < 2^31, half <= 2^30, up <= 9 */
+    return quotient > INT32_MAX ? INT32_MAX : quotient < -INT32_MAX ? -INT32_MAX : (int32_t)quotient;
+}
+
+/* A dot product over the normal's length. Of linear numerators it is at most 1 and roundings, but a quadratic through
+ * the samples of a near light can pass the length by far. */
+FX_WRAPS static inline __attribute__((always_inline)) int32_t dots_over_length(int32_t p, struct perspective_divisor by)
+{
+    const uint32_t reach = (uint32_t)INT32_MAX >> by.up;
+    if ((uint32_t)p + reach > 2 * reach)
+        return dots_overshoot(p, by);
+    return perspective_divide(p, by);
 }
 
 static inline __attribute__((always_inline)) int32_t dots_value(const struct raster *r, int i, enum dots_kind kind)
@@ -39,6 +57,8 @@ static inline __attribute__((always_inline)) int32_t dots_value(const struct ras
         return perspective_divide_twice(r->value[0][i], r->divisor[i]);
     if (kind == DOTS_UNIT)
         return perspective_divide(r->value[0][i], r->divisor[i]);
+    if (kind == DOTS_UNIT_NEAR)
+        return dots_over_length(r->value[0][i], r->divisor[i]);
     return r->value[0][i];
 }
 
@@ -47,7 +67,7 @@ static inline __attribute__((always_inline)) void dots_powers(struct raster *r, 
 {
     const struct surface *s = &r->surface;
     if (r->setup.folded) {
-        s->form->run_folded(r->setup.folded, r->value[0], n);
+        s->form->run_folded(s->power->exponent, r->setup.folded, r->value[0], n);
         return;
     }
     for (int i = 0; i < n; i++)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "raster/raster.h"
+#include "raster/runs.h"
 
 static void shade_run(struct raster *r, int x, int y, int n)
 {
@@ -49,7 +49,7 @@ FX_WRAPS static uint32_t spans(struct raster *r, struct edges *e)
 static uint32_t draw(struct raster *r, struct edges *e)
 {
     if (r->setup.plane.sliver || r->format != GLINT_RGB565 || r->dither)
-        return raster_runs(r, e, shade_run);
+        return runs_draw(r, e, shade_run);
     return spans(r, e);
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "raster/raster.h"
+#include "raster/runs.h"
 #include "shade/colour.h"
 
 /* Channels are Q24 steps between 0 and 255, so unsigned 32 bits; a rounding below 0 is taken for 0. */
@@ -62,7 +62,7 @@ FX_WRAPS static __attribute__((noinline)) uint32_t spans(struct raster *r, struc
 uint32_t draw_gouraud(struct raster *r, struct edges *e)
 {
     if (r->setup.plane.sliver || r->format != GLINT_RGB565 || r->dither)
-        return raster_runs(r, e, shade_run);
+        return runs_draw(r, e, shade_run);
     return spans(r, e);
 }
 

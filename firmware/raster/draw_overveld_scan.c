@@ -5,6 +5,7 @@
  * 2001). A row is the triangle's alone: neither the band nor a run has a part in it.
  */
 #include "raster/normals.h"
+#include "raster/runs.h"
 
 enum { LEFT, RIGHT };
 
@@ -94,7 +95,7 @@ static void shade_run(struct raster *r, int x, int y, int n)
 
 static uint32_t draw(struct raster *r, struct edges *e)
 {
-    return raster_runs(r, e, shade_run);
+    return runs_draw(r, e, shade_run);
 }
 
 const struct glint_method glint_overveld_scan = {GLINT_OVERVELD, 0, 0, shade_overveld_scan, draw, 0, 0};

@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /* Perspective-correct pixels of X-shading and of the six-sample quadratic: one reciprocal each. */
 #include "raster/dots.h"
+#include "raster/runs.h"
 
-static void shade_run(struct raster *r, int x, int y, int n)
+RUNS_APART static void shade_run(struct raster *r, int x, int y, int n)
 {
     dots_shade(r, x, y, n, DOTS_PERSPECTIVE);
 }
 
 static uint32_t draw(struct raster *r, struct edges *e)
 {
-    return r->setup.perspective ? raster_runs(r, e, shade_run) : raster_draw_dots(r, e);
+    return r->setup.perspective ? runs_draw(r, e, shade_run) : raster_draw_dots(r, e);
 }
 
 const struct glint_method glint_x_perspective = {GLINT_X, 1, 0, shade_x_perspective, draw, 0, 0};

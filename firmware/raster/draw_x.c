@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The pixels of X-shading and of the six-sample quadratic. */
 #include "raster/dots.h"
-
-static void shade_run(struct raster *r, int x, int y, int n)
-{
-    dots_shade(r, x, y, n, DOTS_PLAIN);
-}
+#include "raster/runs.h"
 
 /* A channel's value and first difference at column i, row j of its origin, for the loops below. Nothing is carried from
  * row to row: half of a dense mesh's rows hold no pixel, and would pay for it. */
@@ -19,6 +15,49 @@ FX_WRAPS static inline uint32_t start_value(const struct polynomial *p, uint32_t
     uint32_t d = p->d + p->c * j, ai = p->a * i;
     *step = d + 2 * ai + p->a;
     return p->f + (p->e + p->b * j) * j + (d + ai) * i;
+}
+
+/* Grey under one light: both dot products stepped, and summed at once. A template; the bits are those of dots_shade().
+ */
+FX_WRAPS static inline __attribute__((always_inline)) void shade_grey(struct raster *r, int x, int y, int n,
+                                                                      int highlight)
+{
+    const struct surface *s = &r->surface;
+    const struct shade_setup *setup = &r->setup;
+    const struct polynomial *pl = &setup->channel[0].p, *ph = &setup->channel[1].p;
+    const uint32_t i = (uint32_t)(x - setup->plane.ox), j = (uint32_t)(y - setup->plane.oy);
+    const uint32_t al = 2 * pl->a, ah = 2 * ph->a, base = s->base[0];
+    uint32_t dl, dh = 0, vl = start_value(pl, i, j, 1, &dl), vh = 0, *sum = r->sum[0];
+    const uint16_t diffuse = s->light[0].diffuse[0], specular = s->light[0].specular[0];
+    if (highlight)
+        vh = start_value(ph, i, j, 1, &dh);
+    for (const uint32_t *end = sum + 3 * n; sum != end; sum += 3) {
+        uint32_t value = base;
+        if ((int32_t)vl > 0)
+            value += surface_diffuse(vl >> 15, diffuse);
+        if (highlight) {
+            uint32_t power = fx_power(s->power, (q30_t)vh);
+            if (power)
+                value += surface_diffuse(power, specular);
+            vh += dh;
+            dh += ah;
+        }
+        *sum = value;
+        vl += dl;
+        dl += al;
+    }
+}
+
+RUNS_APART static void shade_run(struct raster *r, int x, int y, int n)
+{
+    const struct shade_setup *setup = &r->setup;
+    if (r->surface.channels != 1 || r->surface.lights != 1 || setup->runs_only || r->surface.form ||
+        !setup->diffuse_lights)
+        dots_shade(r, x, y, n, DOTS_PLAIN);
+    else if (setup->specular_lights)
+        shade_grey(r, x, y, n, 1);
+    else
+        shade_grey(r, x, y, n, 0);
 }
 
 /* The shape compilers know as a saturation. */
@@ -106,12 +145,17 @@ CASE(spans_diffuse_quadratic, 1, 0, 1)
 CASE(spans_both, 1, 1, 0)
 CASE(spans_both_quadratic, 1, 1, 1)
 
+RUNS_APART static uint32_t draw_runs(struct raster *r, struct edges *e)
+{
+    return runs_draw(r, e, shade_run);
+}
+
 FX_WRAPS uint32_t raster_draw_dots(struct raster *r, struct edges *e)
 {
     struct shade_setup *setup = &r->setup;
     const struct colour_table *table = r->surface_table;
     if (!table || setup->runs_only)
-        return raster_runs(r, e, shade_run);
+        return draw_runs(r, e);
     const uint16_t *colours = table->colour[0];
     /* N.L rounded to the table's steps: half a step more. N.H counts from the foot of the power. */
     const uint32_t half = 1u << 23;

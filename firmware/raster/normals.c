@@ -18,51 +18,51 @@ static inline __attribute__((always_inline)) void put_unit(struct raster *r, int
     r->value[2][i] = fx_mulhi_s32(z * (1 << half), inverse);
 }
 
-static inline void put_none(struct raster *r, int i)
+/* Any length: the largest component is first moved to 15 bits. */
+static void normalise_one(struct raster *r, int i)
 {
-    r->value[0][i] = r->value[1][i] = r->value[2][i] = 0;
+    int32_t x = r->value[0][i], y = r->value[1][i], z = r->value[2][i];
+    uint32_t size = (uint32_t)((x ^ x >> 31) | (y ^ y >> 31) | (z ^ z >> 31)); /* of the largest, within a bit */
+    if (size < SHORTEST) {
+        r->value[0][i] = r->value[1][i] = r->value[2][i] = 0;
+        return;
+    }
+    const int32_t up = 1 << (fx_clz(size) - 1); /* 2^0..2^18: within [-2^31, 2^31) */
+    x = x * up >> 16;
+    y = y * up >> 16;
+    z = z * up >> 16; /* within [-2^15, 2^15): each square at most 2^30, their sum at least 2^28 */
+    put_unit(r, i, x, y, z, (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z));
+}
+
+static void normalise_any(struct raster *r, int n)
+{
+    for (int i = 0; i < n; i++)
+        normalise_one(r, i);
 }
 
 /* Q30 in, Q15 out. Less than 1.2 long: what is linear is at most 1 + 2^-13, for corners that were rounded. One shorter
- * than 2^-6 (opposite corners) counts as its direction's zero. */
+ * than 2^-6 (between opposite corners, or where a quadratic passes 0) takes the longer way. */
 static void normalise(struct raster *r, int n)
 {
     for (int i = 0; i < n; i++) {
         int32_t x = r->value[0][i] >> 15, y = r->value[1][i] >> 15, z = r->value[2][i] >> 15; /* Q15 */
         uint32_t squared = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);         /* Q30, below 2^31 */
         if (squared < 1u << 18)
-            put_none(r, i);
+            normalise_one(r, i);
         else
             put_unit(r, i, x, y, z, squared);
     }
 }
 
-/* Any length: the largest component is first moved to 15 bits. */
-static void normalise_any(struct raster *r, int n)
-{
-    for (int i = 0; i < n; i++) {
-        int32_t x = r->value[0][i], y = r->value[1][i], z = r->value[2][i];
-        uint32_t size = (uint32_t)((x ^ x >> 31) | (y ^ y >> 31) | (z ^ z >> 31)); /* of the largest, within a bit */
-        if (size < SHORTEST) {
-            put_none(r, i);
-            continue;
-        }
-        const unsigned down = 17 - fx_clz(size); /* 2..16 */
-        x >>= down;
-        y >>= down;
-        z >>= down; /* within [-2^15, 2^15): each square at most 2^30, their sum at least 2^28 */
-        put_unit(r, i, x, y, z, (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z));
-    }
-}
-
 /* n . v, Q15 and Q14 to Q15, at most 1 + 2^-12. */
-static inline int32_t dot(const struct raster *r, int i, const q14_t v[3])
+static inline __attribute__((always_inline)) int32_t dot(const struct raster *r, int i, const q14_t v[3])
 {
     return (r->value[0][i] * v[0] + r->value[1][i] * v[1] + r->value[2][i] * v[2] + (1 << 13)) >> 14;
 }
 
-/* Adds a light at one pixel. */
-static inline void add_light(struct raster *r, int i, unsigned l, const q14_t towards[3], const q14_t half[3])
+/* Adds a light at one pixel. `formed`: by another form of the power than the table. */
+static inline __attribute__((always_inline)) void add_light(struct raster *r, int i, unsigned l, const q14_t towards[3],
+                                                            const q14_t half[3], int formed)
 {
     const struct surface *s = &r->surface;
     int32_t diffuse = dot(r, i, towards);
@@ -72,17 +72,16 @@ static inline void add_light(struct raster *r, int i, unsigned l, const q14_t to
     int32_t highlight = s->highlights ? dot(r, i, half) : 0;
     if (highlight <= 0)
         return;
-    uint32_t power = surface_power(s, (q30_t)((uint32_t)highlight << 15));
+    const q30_t n_dot_h = (q30_t)((uint32_t)highlight << 15);
+    uint32_t power = formed ? surface_power(s, n_dot_h) : fx_power(s->power, n_dot_h);
     for (unsigned c = 0; c < s->channels; c++)
         r->sum[i][c] += surface_diffuse(power, s->light[l].specular[c]);
 }
 
 /* Where lights or the eye are near: the places in position units, into r->value[3] to [5]. */
-static void find_places(struct raster *r, int x, int y, int n)
+static __attribute__((noinline)) void find_places(struct raster *r, int x, int y, int n)
 {
     const int perspective = r->setup.perspective;
-    if (!r->input.object->local)
-        return;
     if (perspective)
         raster_divisors(r, x, y, n);
     for (int c = 3; c < 6; c++) {
@@ -93,8 +92,8 @@ static void find_places(struct raster *r, int x, int y, int n)
     }
 }
 
-/* All lights, on unit normals. */
-static void light(struct raster *r, int n)
+/* All lights, on unit normals. A template: `formed` is constant. */
+static inline __attribute__((always_inline)) void add_lights(struct raster *r, int n, int formed)
 {
     const struct surface *s = &r->surface;
     const struct object_state *object = r->input.object;
@@ -110,9 +109,23 @@ static void light(struct raster *r, int n)
                 const int32_t place[3] = {r->value[3][i], r->value[4][i], r->value[5][i]};
                 object_light_at(object, l, place, towards, half);
             }
-            add_light(r, i, l, towards, half);
+            add_light(r, i, l, towards, half, formed);
         }
     }
+}
+
+static __attribute__((noinline)) void add_lights_formed(struct raster *r, int n)
+{
+    add_lights(r, n, 1);
+}
+
+/* Inlined twice: M0+ feels a call for each run. */
+static inline __attribute__((always_inline)) void light(struct raster *r, int n)
+{
+    if (r->surface.form)
+        add_lights_formed(r, n);
+    else
+        add_lights(r, n, 0);
 }
 
 static void find_normals(struct raster *r, int x, int y, int n)
@@ -123,23 +136,31 @@ static void find_normals(struct raster *r, int x, int y, int n)
 
 void normals_run(struct raster *r, int x, int y, int n)
 {
-    find_places(r, x, y, n);
+    if (r->input.object->local)
+        find_places(r, x, y, n);
     find_normals(r, x, y, n);
     normalise(r, n);
     light(r, n);
 }
 
-void normals_run_perspective(struct raster *r, int x, int y, int n)
+static __attribute__((noinline)) void light_any(struct raster *r, int n)
 {
-    find_places(r, x, y, n);
-    find_normals(r, x, y, n);
     normalise_any(r, n);
     light(r, n);
 }
 
 void normals_shade(struct raster *r, int x, int y, int n)
 {
-    find_places(r, x, y, n);
-    normalise_any(r, n);
-    light(r, n);
+    if (r->input.object->local)
+        find_places(r, x, y, n);
+    light_any(r, n);
+}
+
+/* The divisors of places take r->value[0], so that normals come after them. */
+void normals_run_perspective(struct raster *r, int x, int y, int n)
+{
+    if (r->input.object->local)
+        find_places(r, x, y, n);
+    find_normals(r, x, y, n);
+    light_any(r, n);
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "raster/parts.h"
+#include "raster/runs.h"
 
 /* Channels are signed Q22 steps; the top is clamped when they are written. */
 static void shade_part(struct raster *r, int x, int y, int n)
@@ -39,7 +40,7 @@ uint32_t parts_linear(struct raster *r, const struct part_corner *const corner[3
     if (!fast)
         part_linear(&r->setup, &r->input, corner, 0);
     do
-        drawn += fast ? draw_gouraud(r, &e) : raster_runs(r, &e, shade_part);
+        drawn += fast ? draw_gouraud(r, &e) : runs_draw(r, &e, shade_part);
     while (fine_setup(&e, p, r->width, r->height, e.last, to));
     return drawn;
 }
@@ -56,7 +57,7 @@ uint32_t parts_quadratic(struct raster *r, const struct part_corner *const corne
     if (!part_quadratic(&r->setup, &r->input, corner, middle))
         part_linear(&r->setup, &r->input, corner, 0);
     do
-        drawn += raster_runs(r, &e, shade_part);
+        drawn += runs_draw(r, &e, shade_part);
     while (fine_setup(&e, p, r->width, r->height, e.last, to));
     return drawn;
 }

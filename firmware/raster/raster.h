@@ -107,10 +107,6 @@ struct glint_method {
 uint32_t draw_gouraud(struct raster *r, struct edges *e);
 uint32_t draw_color6(struct raster *r, struct edges *e);
 
-/* The general way: `shade` fills r->sum for n pixels from (x, y), Q15 steps, unclamped. */
-typedef void raster_shade(struct raster *r, int x, int y, int n);
-uint32_t raster_runs(struct raster *r, struct edges *e, raster_shade *shade);
-
 /* 1 / W of n pixels, and the reciprocal length of their normals (SHADE_SQUARE), into r->divisor. */
 void raster_divisors(struct raster *r, int x, int y, int n);
 void raster_lengths(struct raster *r, int x, int y, int n);

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The general way of drawing: any format, any number of lights, slivers too. */
-#include "raster/raster.h"
+#include "raster/runs.h"
 
 void raster_divisors(struct raster *r, int x, int y, int n)
 {
@@ -50,16 +49,7 @@ FX_WRAPS static inline uint32_t test_steps(uint32_t value, uint32_t step, uint16
     return mask;
 }
 
-static uint32_t count_bits(uint32_t mask)
-{
-    uint32_t count = 0;
-    for (; mask; mask &= mask - 1)
-        count++;
-    return count;
-}
-
-/* A run's mask of visible pixels. */
-static inline uint32_t test_depth(struct raster *r, int x, int y, int n)
+FX_WRAPS uint32_t raster_visible(struct raster *r, int x, int y, int n)
 {
     const struct channel *channel = &r->setup.depth;
     uint16_t *depth = r->depth + (uint32_t)(y - r->y0) * r->width + x;
@@ -70,33 +60,4 @@ static inline uint32_t test_depth(struct raster *r, int x, int y, int n)
     const struct polynomial *p = &channel->p;
     uint32_t i = (uint32_t)(x - r->setup.plane.ox), j = (uint32_t)(y - r->setup.plane.oy);
     return test_steps(p->f + p->e * j + p->d * i, p->d, depth, depth + n);
-}
-
-/* One span; returns the pixels drawn. */
-static uint32_t draw_span(struct raster *r, int y, struct span span, raster_shade *shade)
-{
-    uint32_t drawn = 0;
-    for (int x = span.x0; x < span.x1; x += RUN) {
-        int n = span.x1 - x < RUN ? span.x1 - x : RUN;
-        uint32_t mask = test_depth(r, x, y, n);
-        if (!mask)
-            continue;
-        const int whole = mask == (1u << n) - 1;
-        drawn += whole ? (uint32_t)n : count_bits(mask);
-        shade(r, x, y, n);
-        raster_write(r, x, y, mask);
-    }
-    return drawn;
-}
-
-uint32_t raster_runs(struct raster *r, struct edges *e, raster_shade *shade)
-{
-    uint32_t drawn = 0;
-    int y = e->row;
-    do {
-        int rows = raster_spans(r, e);
-        for (int i = 0; i < rows; i++, y++)
-            drawn += draw_span(r, y, r->span[i], shade);
-    } while (e->row < e->last);
-    return drawn;
 }

@@ -50,7 +50,7 @@ void dots_bulges(const int32_t corner[3], const int32_t middle[3], const struct 
     for (int k = 0; k < 3; k++) {
         int32_t sum = corner[k] + corner[k == 2 ? 0 : k + 1];
         /* |sum| <= 2^15, |m D| <= 2^15 (1 + 2^-4) as D shrinks where m grows, Q30: below 2^32 before the difference */
-        int64_t bulge = ((int64_t)sum << 15) - (((int64_t)middle[k] * factors->edge[k]) >> 1);
+        int64_t bulge = (int64_t)sum * (1 << 15) - (((int64_t)middle[k] * factors->edge[k]) >> 1);
         out[k] = bulge > INT32_MAX ? INT32_MAX : bulge < -INT32_MAX ? -INT32_MAX : (int32_t)bulge;
     }
 }
@@ -72,7 +72,8 @@ static int32_t stretched(int32_t x, uint32_t factor)
     return (int32_t)(((int64_t)x * factor) >> 16);
 }
 
-void dots_quadratic(struct shade_setup *setup, const int32_t value[3], const int32_t bulge[3], struct channel *channel)
+FX_WRAPS void dots_quadratic(struct shade_setup *setup, const int32_t value[3], const int32_t bulge[3],
+                             struct channel *channel)
 {
     const uint32_t one = 1u << 28;
     if ((uint32_t)bulge[0] + one <= 2 * one && (uint32_t)bulge[1] + one <= 2 * one &&
@@ -109,6 +110,9 @@ static void interpolate(struct shade_setup *setup, const struct shade_input *in,
     setup->runs_only |= (uint8_t)(channel->exact != 0);
 }
 
+/* 4 in Q14, beyond what any channel holds: a step count in Q8 times it fits. */
+#define MOST_BEND 65535
+
 void dots_setup(struct shade_setup *setup, const struct shade_input *in, const struct dots_factors *factors,
                 const struct perspective *perspective)
 {
@@ -116,7 +120,7 @@ void dots_setup(struct shade_setup *setup, const struct shade_input *in, const s
     setup->runs_only = setup->depth.exact != 0;
     setup->perspective = perspective ? (uint8_t)(perspective->up + 1u) : 0;
     plane_setup_quadratic(&setup->plane);
-    fold_function *fold = s->form && factors->are_dots && !perspective ? s->form->fold : 0;
+    fold_function *fold = s->form && factors->are_dots && !perspective && !in->tabled ? s->form->fold : 0;
     for (unsigned i = 0; i < s->lights; i++) {
         struct dots_samples samples;
         uint8_t *const shown[2] = {&setup->diffuse_lights, &setup->specular_lights};
@@ -128,8 +132,9 @@ void dots_setup(struct shade_setup *setup, const struct shade_input *in, const s
             dots_bulges(samples.corner[which], samples.middle[which], factors, bulge);
             range.low = stretched(range.low, factors->stretch);
             range.high = stretched(range.high, factors->stretch);
-            if (!dots_show(setup, in, i, which, range, stretched(bend_of(bulge), factors->stretch), s->form != 0,
-                           &error))
+            int32_t bend = stretched(bend_of(bulge), factors->stretch);
+            bend = bend < MOST_BEND ? bend : MOST_BEND;
+            if (!dots_show(setup, in, i, which, range, bend, s->form != 0, &error))
                 continue;
             *shown[which] |= (uint8_t)(1u << i);
             interpolate(setup, in, 2 * i + which, error < s->bend_limit, samples.corner[which], bulge, perspective,

@@ -46,7 +46,7 @@ void perspective_quadratic(const struct perspective *p, const struct plane *plan
     }
     for (int k = 0; k < 3; k++) { /* |Ii + Ij - aij| < 2^3 in Q28, times Q32: below 2^63 */
         int j = k == 2 ? 0 : k + 1;
-        int64_t middle = ((int64_t)(value[k] + value[j]) << 14) - bulge[k];
+        int64_t middle = (int64_t)(value[k] + value[j]) * (1 << 14) - bulge[k];
         uint32_t product = (uint32_t)p->s[k] * p->s[j];
         b[k] = saturated((((int64_t)v[k] + v[j]) >> 2) - (int64_t)((middle * (int64_t)(product >> 1)) >> 31));
     }

@@ -26,13 +26,24 @@ static inline __attribute__((always_inline)) int32_t squared(int32_t v, int squa
 }
 
 /* g = 2^squarings. Only 1 - s < min(1, g / n) gives more than 0, so that n (1 - s) / 16 is below 2^30. */
-static inline __attribute__((always_inline)) void run_free(unsigned n, int32_t *value, int count, int squarings)
+FX_WRAPS static inline __attribute__((always_inline)) void run_free(unsigned n, int32_t *value, int count,
+                                                                    int squarings)
 {
     const uint32_t one = 1u << 30, reach = n >> squarings ? (one >> 4) / n << (squarings + 4) : one;
     for (int i = 0; i < count; i++) {
         uint32_t below = value[i] >= (int32_t)one ? 0 : one - (uint32_t)value[i];
         value[i] = below >= reach ? 0 : squared((int32_t)(one - (n * (below >> 4) << (4 - squarings))), squarings);
     }
+}
+
+/* n / g 2^-down in Q32, and what stands for N.H = 0. */
+static inline int32_t slope_of(unsigned n, unsigned down, unsigned squarings)
+{
+    return (int32_t)(n << (32 - squarings - down));
+}
+static inline int32_t offset_of(unsigned down, int32_t slope)
+{
+    return (1 << (30 - down)) - (slope >> 2);
 }
 
 /* With |s| <= 1.09 the result is within 1 + 2.09 n / g <= 2^down, so that its format holds it, and n / g 2^-down is
@@ -44,8 +55,7 @@ static inline __attribute__((always_inline)) unsigned fold_free(unsigned n, cons
     unsigned down = 1;
     while ((16u << squarings << down) < (16u << squarings) + 34 * n)
         down++;
-    const int32_t slope = (int32_t)(n << (32 - squarings - down)); /* n / g 2^-down in Q32 */
-    const int32_t offset = (1 << (30 - down)) - (slope >> 2);
+    const int32_t slope = slope_of(n, down, squarings), offset = offset_of(down, slope);
     for (int k = 0; k < 3; k++) {
         value_out[k] = fx_mulhi_s32(value[k] * 65536, slope) + offset;
         bulge_out[k] = fx_mulhi_s32(bulge[k], slope);
@@ -53,11 +63,13 @@ static inline __attribute__((always_inline)) unsigned fold_free(unsigned n, cons
     return down;
 }
 
-static inline __attribute__((always_inline)) void run_folded(unsigned down, int32_t *value, int count, int squarings)
+static inline __attribute__((always_inline)) void run_folded(unsigned n, unsigned down, int32_t *value, int count,
+                                                             unsigned squarings)
 {
-    const int32_t one = 1 << (30 - down);
+    const int32_t one = 1 << (30 - down), offset = offset_of(down, slope_of(n, down, squarings));
+    const int32_t foot = offset > 0 ? offset : 0; /* n < g: not 0 where N.H is */
     for (int i = 0; i < count; i++)
-        value[i] = value[i] >= one ? 32768 : value[i] <= 0 ? 0 : squared(value[i] << down, squarings);
+        value[i] = value[i] >= one ? 32768 : value[i] <= foot ? 0 : squared(value[i] << down, squarings);
 }
 
 #define POWER_FREE(gamma, squarings)                                                                               \
@@ -70,9 +82,9 @@ static inline __attribute__((always_inline)) void run_folded(unsigned down, int3
     {                                                                                                              \
         return fold_free(n, value, bulge, value_out, bulge_out, squarings);                                        \
     }                                                                                                              \
-    static void run_folded_##gamma(unsigned down, int32_t *value, int count)                                       \
+    static void run_folded_##gamma(unsigned n, unsigned down, int32_t *value, int count)                           \
     {                                                                                                              \
-        run_folded(down, value, count, squarings);                                                                 \
+        run_folded(n, down, value, count, squarings);                                                              \
     }                                                                                                              \
     const struct glint_power glint_power_##gamma = {run_##gamma, fold_##gamma, run_folded_##gamma};
 

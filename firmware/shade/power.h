@@ -13,14 +13,14 @@
 #include "fixed/fixed.h"
 
 struct glint_power {
-    /* N.H in Q30 to its power in Q15, 0..32768, in place; n is the exponent. */
+    /* N.H in Q30 to its power in Q15, 0..32768, in place, 0 where N.H is not above 0; n is the exponent. */
     void (*run)(unsigned n, int32_t *value, int count);
     /* N.H's corner values in Q14 and bulges in Q28 to those of 1 - (n / g)(1 - s), in Q(30 - down) and Q(28 - down);
      * returns down. Null: nothing to fold. */
     unsigned (*fold)(unsigned n, const int32_t value[3], const int32_t bulge[3], int32_t value_out[3],
                      int32_t bulge_out[3]);
-    /* The rest of the power, from that in Q(30 - down). */
-    void (*run_folded)(unsigned down, int32_t *value, int count);
+    /* The rest of the power, from that in Q(30 - down). As above, 0 where N.H is not above 0. */
+    void (*run_folded)(unsigned n, unsigned down, int32_t *value, int count);
 };
 
 #endif

@@ -119,12 +119,9 @@ static bool render_choose(int choice, uint8_t *out)
 
 static bool render_choose_power(const char *text, const struct glint_power **power)
 {
-    static const char *const names[] = {"table", "exact", "4", "8", "16"};
-    const struct glint_power *const powers[] = {NULL, &glint_power_exact, &glint_power_4, &glint_power_8,
-                                                &glint_power_16};
-    int choice = cli_choice(text, names, 5);
+    int choice = cli_choice(text, renderer_power_names, RENDERER_POWERS);
     if (choice >= 0)
-        *power = powers[choice];
+        *power = renderer_powers[choice];
     return choice >= 0;
 }
 

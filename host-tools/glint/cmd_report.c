@@ -4,7 +4,9 @@
 #include "glint/progress.h"
 #include "glint/renderer.h"
 #include "host/sink.h"
+#include "report/angle.h"
 #include "report/page.h"
+#include "report/powers.h"
 #include "scene/model.h"
 
 #include <errno.h>
@@ -25,11 +27,13 @@ static const char report_help[] =
     "  -o, --output FOLDER  made if it is not there\n"
     "      --costs FILE     cpu,scene,method,width,height,format,instructions: of a frame on m3 and on m0plus\n"
     "      --flash FILE     cpu,method,bytes: of a program that draws by that method\n"
+    "      --powers FILE    cpu,scene,power,exponent,instructions: of a frame of the first scene by x; with it the\n"
+    "                       page compares the forms of the highlight's power at exponents 5, 20, 50 and 200\n"
     "      --methods A,B    some of `glint methods`; default all\n"
     "      --help\n";
 
 struct report {
-    const char *folder, *costs_path, *flash_path;
+    const char *folder, *costs_path, *flash_path, *powers_path;
     const char **methods;
     unsigned method_count;
     struct costs costs;
@@ -71,10 +75,13 @@ static bool report_choose(struct report *report, const char *names)
 /* Exit code, or -1 to go on. */
 static int report_parse(struct report *report, int argc, char **argv)
 {
-    static const struct option long_options[] = {
-        {"output", required_argument, NULL, 'o'}, {"costs", required_argument, NULL, 'c'},
-        {"flash", required_argument, NULL, 'f'},  {"methods", required_argument, NULL, 'm'},
-        {"help", no_argument, NULL, 'h'},         {0}};
+    static const struct option long_options[] = {{"output", required_argument, NULL, 'o'},
+                                                 {"costs", required_argument, NULL, 'c'},
+                                                 {"flash", required_argument, NULL, 'f'},
+                                                 {"methods", required_argument, NULL, 'm'},
+                                                 {"powers", required_argument, NULL, 'p'},
+                                                 {"help", no_argument, NULL, 'h'},
+                                                 {0}};
     int option;
     for (unsigned m = 0; m < glint_choice_count; m++)
         report->methods[report->method_count++] = glint_choices[m].name;
@@ -88,6 +95,9 @@ static int report_parse(struct report *report, int argc, char **argv)
             break;
         case 'f':
             report->flash_path = optarg;
+            break;
+        case 'p':
+            report->powers_path = optarg;
             break;
         case 'm':
             if (!report_choose(report, optarg))
@@ -136,7 +146,7 @@ static int report_scenes(struct report *report, const char *const paths[], unsig
     FILE *page = report->sink[REPORT_PAGE].stream, *table = report->sink[REPORT_TABLE].stream;
     struct progress progress;
     int code = CLI_DONE;
-    page_begin(page, paths, count);
+    page_begin(page, paths, count, report->powers_path != NULL);
     page_csv_head(table);
     progress_begin(&progress, false);
     for (unsigned i = 0; !code && i < count; i++) {
@@ -154,6 +164,10 @@ static int report_scenes(struct report *report, const char *const paths[], unsig
         progress_step(&progress, i + 1, count);
     }
     progress_end(&progress);
+    if (!code)
+        code = angle_write(page);
+    if (!code && report->powers_path)
+        code = powers_write(page, paths[0], &report->costs);
     page_end(page);
     return code;
 }
@@ -161,7 +175,7 @@ static int report_scenes(struct report *report, const char *const paths[], unsig
 static int report_run(struct report *report, const char *const paths[], unsigned count)
 {
     bool made = false;
-    int code = costs_read(&report->costs, report->costs_path, report->flash_path);
+    int code = costs_read(&report->costs, report->costs_path, report->flash_path, report->powers_path);
     if (!code)
         code = report_open(report, &made);
     if (!code)

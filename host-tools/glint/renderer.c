@@ -7,6 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+const char *const renderer_power_names[RENDERER_POWERS] = {"table", "exact", "4", "8", "16"};
+const struct glint_power *const renderer_powers[RENDERER_POWERS] = {NULL, &glint_power_exact, &glint_power_4,
+                                                                    &glint_power_8, &glint_power_16};
+
 const struct glint_choice *renderer_find(const char *name)
 {
     for (unsigned m = 0; m < glint_choice_count; m++)

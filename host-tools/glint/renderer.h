@@ -9,13 +9,18 @@
 
 struct renderer {
     const struct glint_choice *choice; /* the method: set before opening */
-    struct glint_config config;        /* width, height, format, flags, band_rows and tables: set before opening */
+    struct glint_config config; /* width, height, format, flags, band_rows, power and tables: set before opening */
     struct glint_frame frame;
     const struct scene_header *scene;
     void *band[2];
     void *memory;
     uint32_t dropped; /* triangles for which a frame had no room: the most of any */
 };
+
+/* Forms of the highlight's power, by the names of --power; the table's is null. */
+enum { RENDERER_POWERS = 5 };
+extern const char *const renderer_power_names[RENDERER_POWERS];
+extern const struct glint_power *const renderer_powers[RENDERER_POWERS];
 
 /* The method of that name, or null. */
 const struct glint_choice *renderer_find(const char *name);

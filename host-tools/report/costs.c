@@ -18,6 +18,7 @@ const char *const costs_cpu_titles[COSTS_CPUS] = {[COSTS_M3] = "M3", [COSTS_M0PL
 
 static const char costs_frames_head[] = "cpu,scene,method,width,height,format,instructions";
 static const char costs_flash_head[] = "cpu,method,bytes";
+static const char costs_powers_head[] = "cpu,scene,power,exponent,instructions";
 
 /* A line's fields in place; takes a line into `costs`, or returns why it will not do. */
 typedef const char *costs_take(struct costs *costs, char *field[COSTS_FIELDS], unsigned line);
@@ -86,6 +87,32 @@ static const char *costs_take_flash(struct costs *costs, char *field[COSTS_FIELD
     return NULL;
 }
 
+static const char *costs_take_power(struct costs *costs, char *field[COSTS_FIELDS], unsigned line)
+{
+    struct costs_power power;
+    const char *problem = costs_cpu(&power.cpu, field[0]);
+    int form = cli_choice(field[2], renderer_power_names, RENDERER_POWERS);
+    uint32_t exponent;
+    (void)line;
+    if (!problem)
+        problem = costs_name(power.scene, sizeof power.scene, field[1]);
+    if (problem)
+        return problem;
+    if (form < 0)
+        return "no such form of the power; `glint render --help` lists them";
+    if (!cli_number(field[3], 1, FX_POWER_MAX_EXPONENT, &exponent))
+        return "the exponent is 1..1023";
+    if (!cli_number(field[4], 1, UINT32_MAX, &power.instructions))
+        return "the instructions are no number above 0";
+    power.form = (unsigned)form;
+    power.exponent = exponent;
+    if (costs_find_power(costs, power.cpu, power.scene, power.form, exponent))
+        return "a second line for this cpu, scene, power and exponent";
+    costs->powers = model_grow(costs->powers, costs->power_count, &costs->power_room, sizeof power);
+    costs->powers[costs->power_count++] = power;
+    return NULL;
+}
+
 /* Splits at commas; the number of fields, or COSTS_FIELDS if there are as many or more. */
 static unsigned costs_split(char *text, char *field[COSTS_FIELDS])
 {
@@ -137,17 +164,22 @@ static int costs_file(struct costs *costs, const char *path, const char *head, c
     return line && !problem ? CLI_DONE : CLI_BAD_DATA;
 }
 
-int costs_read(struct costs *costs, const char *frames_path, const char *flash_path)
+int costs_read(struct costs *costs, const char *frames_path, const char *flash_path, const char *powers_path)
 {
-    *costs = (struct costs){.frames_path = frames_path, .flash_path = flash_path};
+    *costs = (struct costs){.frames_path = frames_path, .flash_path = flash_path, .powers_path = powers_path};
     int code = costs_file(costs, frames_path, costs_frames_head, costs_take_frame);
-    return code ? code : costs_file(costs, flash_path, costs_flash_head, costs_take_flash);
+    if (!code)
+        code = costs_file(costs, flash_path, costs_flash_head, costs_take_flash);
+    if (!code && powers_path)
+        code = costs_file(costs, powers_path, costs_powers_head, costs_take_power);
+    return code;
 }
 
 void costs_free(struct costs *costs)
 {
     free(costs->frames);
     free(costs->flash);
+    free(costs->powers);
     *costs = (struct costs){0};
 }
 
@@ -167,5 +199,16 @@ const struct costs_flash *costs_find_flash(const struct costs *costs, enum costs
     for (size_t i = 0; i < costs->flash_count; i++)
         if (costs->flash[i].cpu == cpu && strcmp(costs->flash[i].method, method) == 0)
             return &costs->flash[i];
+    return NULL;
+}
+
+const struct costs_power *costs_find_power(const struct costs *costs, enum costs_cpu cpu, const char *scene,
+                                           unsigned form, unsigned exponent)
+{
+    for (size_t i = 0; i < costs->power_count; i++) {
+        const struct costs_power *power = &costs->powers[i];
+        if (power->cpu == cpu && power->form == form && power->exponent == exponent && strcmp(power->scene, scene) == 0)
+            return power;
+    }
     return NULL;
 }

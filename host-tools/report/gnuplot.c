@@ -49,12 +49,30 @@ static char *gnuplot_read(int file)
     return text;
 }
 
-/* The text with `prefix` at the start of each id and of each reference to one. */
+/* Length of what a picture is the same without: a group that holds nothing, or white space after a line's end. */
+static size_t gnuplot_waste(const char *text)
+{
+    static const char space[] = "\n\t ", close[] = "</g>";
+    if (*text == '\n')
+        return strspn(text, space);
+    const char *end = strncmp(text, "<g ", 3) == 0 ? strchr(text, '>') : NULL;
+    if (!end)
+        return 0;
+    end += 1 + strspn(end + 1, space);
+    return strncmp(end, close, strlen(close)) == 0 ? (size_t)(end - text) + strlen(close) : 0;
+}
+
+/* The text less waste, with `prefix` at the start of each id and of each reference to one. */
 static void gnuplot_rename(FILE *out, const char *text, const char *prefix)
 {
     static const char *const marks[] = {" id='", " id=\"", "href='#", "url(#"};
     while (*text) {
-        size_t length = 0;
+        size_t length = gnuplot_waste(text);
+        if (length) {
+            fputs(*text == '\n' ? "\n" : "", out);
+            text += length;
+            continue;
+        }
         for (size_t i = 0; i < sizeof marks / sizeof *marks && !length; i++)
             if (strncmp(text, marks[i], strlen(marks[i])) == 0)
                 length = strlen(marks[i]);

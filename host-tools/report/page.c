@@ -15,19 +15,23 @@ static const char page_style[] =
     "p{max-width:44rem}a{color:inherit}nav a{display:inline-block;margin:.2em .7em .2em 0}\n"
     ".wide{overflow-x:auto}table{border-collapse:collapse;font-variant-numeric:tabular-nums}\n"
     "th,td{padding:.25em .6em;text-align:right;border-bottom:1px solid var(--line);white-space:nowrap}\n"
-    "th:first-child,td:first-child{text-align:left;position:sticky;left:0;background:var(--paper)}\n"
+    ".wide th:first-child,.wide td:first-child{text-align:left;position:sticky;left:0;background:var(--paper)}\n"
     ".beaten,.beaten a{color:var(--faint)}.best{color:var(--best);font-weight:600}.best::after{content:\" \\25cf\"}\n"
     ".plots,.cards{display:grid;gap:1rem}.plots{grid-template-columns:repeat(auto-fit,minmax(min(100%,24rem),1fr))}\n"
     ".cards{grid-template-columns:repeat(auto-fill,minmax(min(100%,20rem),1fr))}figure{margin:0;min-width:0}\n"
     ".plots svg{width:100%;height:auto;max-width:32rem}svg [color=black]{color:inherit}\n"
     "svg [fill=black]{fill:currentColor}svg [stroke=black]{stroke:currentColor}\n"
     ".card{border:1px solid var(--line);border-radius:6px;padding:.7rem}.card h3{margin:0 0 .4em;font-size:1.05rem}\n"
-    ".pair{display:grid;grid-template-columns:1fr 1fr;gap:.4rem}.pair img,.truth img{width:100%;height:auto;"
-    "display:block}\n"
+    ".pair{display:grid;grid-template-columns:repeat(2,minmax(0,1fr));align-items:start;gap:.4rem}"
+    ".pair img{width:100%;height:auto;display:block}\n"
     "dl{display:grid;grid-template-columns:auto 1fr;gap:0 .8em;margin:.5em 0 0;font-variant-numeric:tabular-nums}\n"
-    "dt{color:var(--faint)}dd{margin:0}\n";
+    "dt{color:var(--faint)}dd{margin:0}\n"
+    ".first td{border-top:2px solid var(--line)}\n"
+    ".key{font-size:.75rem;line-height:1.25;width:100%;table-layout:fixed}.key td{padding:0 "
+    ".3em;text-align:center;border:0}\n"
+    "figcaption{font-size:.95rem;margin-top:.4em}\n";
 
-void page_begin(FILE *out, const char *const paths[], unsigned count)
+void page_begin(FILE *out, const char *const paths[], unsigned count, bool powers)
 {
     char name[SURVEY_NAME];
     fprintf(out,
@@ -35,26 +39,24 @@ void page_begin(FILE *out, const char *const paths[], unsigned count)
             "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n"
             "<title>Glint: what accuracy costs</title>\n<style>\n%s</style>\n</head>\n<body>\n",
             page_style);
-    fprintf(
-        out,
-        "<h1>Glint: what accuracy costs</h1>\n"
-        "<p>Every scene drawn by every shading method in integers, beside the truth: per-pixel Phong in double "
-        "precision, the normal interpolated correctly in perspective. Pictures are 8-bit grey.</p>\n"
-        "<p><b>PSNR</b> in dB, <b>RMS</b> and <b>largest difference</b> in 1/255, over the pixels that the scene "
-        "covers, are taken from the truth before it is rounded: 8-bit output alone allows 58.9 dB. "
-        "<b>Instructions</b> of one frame, clear and depth included, drawn in one piece, counted by QEMU on its "
-        "mps2 boards as a Cortex-M3 and a Cortex-M0+ (gcc&nbsp;&#8209;O2). <b>Flash</b> is that of a program which "
-        "draws by "
-        "this method alone, mem* and libgcc included, its scene not.</p>\n"
-        "<p>A figure is <span class=\"best\">marked</span> where a method belongs to the Pareto set of that CPU: "
-        "none that costs no more is closer to the truth; in the plots the set is filled and joined. "
-        "<span class=\"beaten\">Faint</span> is what another method beats on both. In a difference picture orange is "
-        "too bright, blue too dark, black right, all amplified %d times.</p>\n<nav>",
-        SURVEY_GAIN);
+    fprintf(out,
+            "<h1>Glint: what accuracy costs</h1>\n"
+            "<p>Every scene drawn by every shading method in integers, beside the truth: per-pixel Phong in double "
+            "precision, the normal interpolated correctly in perspective. Pictures are 8-bit grey.</p>\n"
+            "<p><b>PSNR</b> in dB, <b>RMS</b> and <b>largest difference</b> in 1/255, over the pixels that the scene "
+            "covers, are taken from the truth before it is rounded: 8-bit output alone allows 58.9 dB. "
+            "<b>Instructions</b> of one frame, clear and depth included, drawn in one piece, counted by QEMU on its "
+            "mps2 boards as a Cortex-M3 and a Cortex-M0+ (gcc&nbsp;&#8209;O2). <b>Flash</b> is that of a program which "
+            "draws by "
+            "this method alone, mem* and libgcc included, its scene not.</p>\n"
+            "<p>A figure is <span class=\"best\">marked</span> where a method belongs to the Pareto set of that CPU: "
+            "none that costs no more is closer to the truth; in the plots the set is filled and joined. "
+            "<span class=\"beaten\">Faint</span> is what another method beats on both.</p>\n<nav>");
     for (unsigned i = 0; i < count; i++)
         if (survey_name(paths[i], name))
             fprintf(out, "<a href=\"#%s\">%s</a>\n", name, name);
-    fprintf(out, "</nav>\n");
+    fprintf(out, "<a href=\"#angle\">X-shading\u2019s error</a>\n%s</nav>\n",
+            powers ? "<a href=\"#power\">The highlight\u2019s power</a>\n" : "");
 }
 
 static const char *page_class(const struct survey_row *row)
@@ -102,20 +104,56 @@ static void page_figures(FILE *out, const struct survey_row *row)
     }
     fprintf(out, "<dt>flash, B</dt><dd>");
     for (enum costs_cpu cpu = 0; cpu < COSTS_CPUS; cpu++)
-        fprintf(out, "%s%u on %s", cpu ? ", " : "", (unsigned)row->flash[cpu], costs_cpu_titles[cpu]);
+        fprintf(out, "%s%s %u", cpu ? ", " : "", costs_cpu_titles[cpu], (unsigned)row->flash[cpu]);
     fprintf(out, "</dd></dl>");
+}
+
+/* What is worth showing of a picture as large as the scene's. */
+static bool page_picture(FILE *out, const struct survey *survey, const uint8_t *pixels, bool difference,
+                         const char *caption)
+{
+    const struct survey_box *box = &survey->box;
+    const struct picture picture = {pixels + (size_t)box->top * survey->width + box->left, survey->width, box->width,
+                                    box->height, difference};
+    return picture_write(out, &picture, caption);
+}
+
+/* The truth, and what the colours of a difference mean. */
+static bool page_truth(FILE *out, const struct survey *survey)
+{
+    static const char *const from[PICTURE_LEVELS + 1] = {"0", "\u00bd", "1", "2", "4", "8", "16", "32"};
+    char caption[160];
+    snprintf(caption, sizeof caption, "%s, the truth", survey->scene);
+    fprintf(out, "<figure class=\"card\"><h3>the truth</h3><div class=\"pair\">");
+    bool done = page_picture(out, survey, survey->truth, false, caption);
+    fprintf(out, "<table class=\"key\">");
+    for (int level = PICTURE_LEVELS; level >= 0; level--) {
+        fprintf(out, "<tr>");
+        for (int sign = -1; sign <= 1; sign++) {
+            uint8_t rgb[3];
+            picture_colour(sign * level, rgb);
+            if (sign)
+                fprintf(out, "<td style=\"background:#%02x%02x%02x\"></td>", rgb[0], rgb[1], rgb[2]);
+            else
+                fprintf(out, "<td>%s</td>", from[level]);
+        }
+        fprintf(out, "</tr>");
+    }
+    fprintf(out,
+            "</table></div><figcaption>Right: the colours of a difference of so many 255ths or more, too dark and too "
+            "bright.</figcaption></figure>\n");
+    return done;
 }
 
 static bool page_card(FILE *out, const struct survey *survey, const struct survey_row *row)
 {
     char caption[160];
-    bool done;
     fprintf(out, "<figure class=\"card\" id=\"%s-%s\"><h3%s>%s</h3><div class=\"pair\">", survey->scene, row->method,
             page_class(row), row->method);
     snprintf(caption, sizeof caption, "%s by %s", survey->scene, row->method);
-    done = picture_write(out, row->grey, survey->width, survey->height, false, caption);
+    bool done = page_picture(out, survey, row->grey, false, caption);
     snprintf(caption, sizeof caption, "%s by %s less the truth", survey->scene, row->method);
-    done = done && picture_write(out, row->difference, survey->width, survey->height, true, caption);
+    done = done && page_picture(out, survey, row->difference, true, caption);
     fprintf(out, "</div><figcaption>");
     page_figures(out, row);
     fprintf(out, "</figcaption></figure>\n");
@@ -124,10 +162,15 @@ static bool page_card(FILE *out, const struct survey *survey, const struct surve
 
 int page_scene(FILE *out, const struct survey *survey)
 {
-    fprintf(out,
-            "<h2 id=\"%s\">%s</h2>\n<p>%lu triangles, %u\u00d7%u, %s; %zu pixels covered.</p>\n<div class=\"plots\">",
-            survey->scene, survey->scene, survey->triangles, survey->width, survey->height,
+    fprintf(out, "<h2 id=\"%s\">%s</h2>\n<p>%lu triangles, %u\u00d7%u, %s; %zu pixels compared.", survey->scene,
+            survey->scene, survey->triangles, survey->width, survey->height,
             survey->perspective ? "in perspective" : "orthographic", survey->rows[0].error.pixels);
+    if (survey->ideal_triangles)
+        fprintf(out,
+                " Its truth is %s-ideal, the curved surface through the same vertices and normals in %lu triangles; "
+                "compared are the pixels that both cover.",
+                survey->scene, survey->ideal_triangles);
+    fprintf(out, "</p>\n<div class=\"plots\">");
     for (enum costs_cpu cpu = 0; cpu < COSTS_CPUS; cpu++) {
         fprintf(out, "<figure>");
         int code = plot_write(out, survey, cpu);
@@ -135,9 +178,8 @@ int page_scene(FILE *out, const struct survey *survey)
             return code;
         fprintf(out, "</figure>\n");
     }
-    fprintf(out, "</div>\n<div class=\"cards\">\n<figure class=\"card\"><h3>the truth</h3><div class=\"pair\">");
-    bool done = picture_write(out, survey->truth, survey->width, survey->height, false, "the truth");
-    fprintf(out, "</div></figure>\n");
+    fprintf(out, "</div>\n<div class=\"cards\">\n");
+    bool done = page_truth(out, survey);
     for (unsigned i = 0; i < survey->count && done; i++)
         done = page_card(out, survey, &survey->rows[i]);
     fprintf(out, "</div>\n");

@@ -2,76 +2,16 @@
 #include "report/survey.h"
 
 #include "glint/cli.h"
-#include "glint/renderer.h"
 #include "pack/report.h"
 #include "reference/reference.h"
+#include "report/drawing.h"
+#include "report/picture.h"
 #include "scene/model.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* A display that keeps the picture. */
-struct survey_keeper {
-    struct hal_display display;
-    uint8_t *grey;
-    unsigned width;
-};
-
-static int survey_flush(struct hal_display *display, const void *pixels, uint16_t y, uint16_t rows, uint32_t stride)
-{
-    const struct survey_keeper *keeper = (const struct survey_keeper *)display;
-    for (unsigned row = 0; row < rows; row++)
-        memcpy(keeper->grey + (size_t)(y + row) * keeper->width, (const uint8_t *)pixels + (size_t)row * stride,
-               keeper->width);
-    return 0;
-}
-
-static const struct hal_display_ops survey_ops = {.flush = survey_flush};
-
-static int survey_draw(const struct survey *survey, const struct scene_header *scene, const char *path,
-                       struct survey_row *row)
-{
-    struct survey_keeper keeper = {{&survey_ops}, row->grey, survey->width};
-    struct renderer renderer = {.choice = renderer_find(row->method),
-                                .config = {.width = (uint16_t)survey->width,
-                                           .height = (uint16_t)survey->height,
-                                           .band_rows = (uint16_t)survey->height,
-                                           .format = GLINT_GREY8}};
-    double milliseconds = 0;
-    int code = renderer_open(&renderer, scene);
-    if (code)
-        return code;
-    renderer_draw(&renderer, 0, &keeper.display, NULL, &milliseconds);
-    if (renderer.dropped) {
-        fprintf(stderr, "%s: a frame by %s lacks %u triangles\n", path, row->method, (unsigned)renderer.dropped);
-        code = CLI_BAD_DATA;
-    }
-    renderer_close(&renderer);
-    return code;
-}
-
-static void survey_shade(uint8_t rgb[3], double difference)
-{
-    static const double bright[3] = {1, .6, .2}, dark[3] = {.35, .7, 1};
-    double value = fmin(255, SURVEY_GAIN * fabs(difference));
-    for (int c = 0; c < 3; c++)
-        rgb[c] = (uint8_t)lround(value * (difference > 0 ? bright[c] : dark[c]));
-}
-
-static void survey_measure(const struct survey *survey, const struct reference_image *truth, struct survey_row *row)
-{
-    size_t pixels = (size_t)survey->width * survey->height;
-    double *a = model_alloc(2 * pixels * sizeof *a), *b = a + pixels;
-    for (size_t i = 0; i < pixels; i++) {
-        a[i] = row->grey[i];
-        b[i] = 255 * truth->value[i];
-        survey_shade(row->difference + 3 * i, a[i] - b[i]);
-    }
-    compare_values(a, b, truth->covered, pixels, 1, &row->error);
-    free(a);
-}
+#include <unistd.h>
 
 static int survey_price(const struct survey *survey, const struct costs *costs, struct survey_row *row)
 {
@@ -138,13 +78,17 @@ static int survey_rows(struct survey *survey, const char *path, const struct sce
     for (unsigned m = 0; m < survey->count; m++) {
         struct survey_row *row = &survey->rows[m];
         row->grey = model_alloc(pixels);
-        row->difference = model_alloc(3 * pixels);
+        row->difference = model_alloc(pixels);
         int code = survey_price(survey, costs, row);
         if (!code)
-            code = survey_draw(survey, scene, path, row);
+            code = drawing_make(row->grey, scene, path, row->method, NULL);
         if (code)
             return code;
-        survey_measure(survey, truth, row);
+        drawing_compare(row->grey, truth, survey->covered, &row->error);
+        for (size_t i = 0; i < pixels; i++)
+            row->difference[i] =
+                (uint8_t)(PICTURE_RIGHT +
+                          (survey->covered[i] ? picture_level(row->grey[i] - 255 * truth->value[i]) : 0));
     }
     survey_rank(survey->rows, survey->count);
     return CLI_DONE;
@@ -161,10 +105,89 @@ bool survey_name(const char *path, char name[SURVEY_NAME])
     return strspn(name, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_") == length;
 }
 
+/* What the covered pixels take up, and a margin. */
+static void survey_frame(struct survey *survey)
+{
+    unsigned left = survey->width, right = 0, top = survey->height, bottom = 0;
+    for (unsigned y = 0; y < survey->height; y++)
+        for (unsigned x = 0; x < survey->width; x++)
+            if (survey->covered[(size_t)y * survey->width + x]) {
+                left = left < x ? left : x;
+                right = right > x ? right : x;
+                top = top < y ? top : y;
+                bottom = y;
+            }
+    struct survey_box *box = &survey->box;
+    box->left = left > SURVEY_MARGIN ? left - SURVEY_MARGIN : 0;
+    box->top = top > SURVEY_MARGIN ? top - SURVEY_MARGIN : 0;
+    right += SURVEY_MARGIN + 1;
+    bottom += SURVEY_MARGIN + 1;
+    box->width = (right < survey->width ? right : survey->width) - box->left;
+    box->height = (bottom < survey->height ? bottom : survey->height) - box->top;
+}
+
+/* Draws the truth and finds the pixels to be compared: those that both the truth and the scene cover. */
+static int survey_truth(struct survey *survey, const char *path, const struct scene_header *scene,
+                        const struct scene_header *ideal, struct reference_image *truth)
+{
+    const struct reference_options options = {.grey = true};
+    size_t pixels = (size_t)survey->width * survey->height, seen = 0;
+    struct reference_image own = {0};
+    bool done = reference_render(ideal ? ideal : scene, &options, truth);
+    if (!done || (ideal && !reference_render(scene, &options, &own))) {
+        fprintf(stderr, "%s: out of memory\n", path);
+        if (done)
+            reference_free(truth);
+        return CLI_IO;
+    }
+    survey->truth = model_alloc(pixels);
+    survey->covered = model_alloc(pixels);
+    for (size_t i = 0; i < pixels; i++) {
+        survey->truth[i] = reference_byte(truth->value[i]);
+        survey->covered[i] = truth->covered[i] && (!ideal || own.covered[i]);
+        seen += survey->covered[i];
+    }
+    if (ideal)
+        reference_free(&own);
+    if (seen > 0) {
+        survey_frame(survey);
+        return CLI_DONE;
+    }
+    fprintf(stderr, "%s: nothing is to be seen\n", path);
+    reference_free(truth);
+    return CLI_BAD_DATA;
+}
+
+/* Loads NAME-ideal.json if it lies beside NAME.json. */
+static int survey_ideal(struct survey *survey, const char *path, struct pack_result *ideal)
+{
+    static const char ending[] = "-ideal.json";
+    const char *dot = strrchr(path, '.');
+    size_t length = dot && strchr(dot, '/') == NULL ? (size_t)(dot - path) : strlen(path);
+    char *beside = model_alloc(length + sizeof ending);
+    memcpy(beside, path, length);
+    memcpy(beside + length, ending, sizeof ending);
+    int code = CLI_DONE;
+    if (access(beside, F_OK) == 0) {
+        code = pack_load(beside, NULL, ideal);
+        const struct scene_camera *camera = code ? NULL : &ideal->scene->camera;
+        if (!code && (camera->reference_width != survey->width || camera->reference_height != survey->height)) {
+            fprintf(stderr, "%s: %ux%u, but %s is %ux%u\n", beside, camera->reference_width, camera->reference_height,
+                    survey->scene, survey->width, survey->height);
+            code = CLI_BAD_DATA;
+        } else if (!code) {
+            survey->ideal_triangles = report_count(ideal->scene).triangles;
+        }
+    }
+    free(beside);
+    return code;
+}
+
 int survey_open(struct survey *survey, const char *path, const char *const methods[], unsigned count,
                 const struct costs *costs)
 {
-    struct pack_result packed;
+    struct pack_result packed, ideal = {0};
+    struct reference_image truth;
     *survey = (struct survey){.count = count};
     if (!survey_name(path, survey->scene)) {
         fprintf(stderr, "%s: a scene's name in a report is of letters, digits, - and _\n", path);
@@ -181,23 +204,14 @@ int survey_open(struct survey *survey, const char *path, const char *const metho
     survey->rows = model_alloc(count * sizeof *survey->rows);
     for (unsigned m = 0; m < count; m++)
         survey->rows[m] = (struct survey_row){.method = methods[m]};
-    const struct reference_options options = {.grey = true};
-    struct reference_image truth;
-    if (reference_render(packed.scene, &options, &truth)) {
-        size_t pixels = (size_t)survey->width * survey->height;
-        survey->truth = model_alloc(pixels);
-        for (size_t i = 0; i < pixels; i++)
-            survey->truth[i] = reference_byte(truth.value[i]);
+    code = survey_ideal(survey, path, &ideal);
+    if (!code)
+        code = survey_truth(survey, path, packed.scene, ideal.scene, &truth);
+    if (!code) {
         code = survey_rows(survey, path, packed.scene, &truth, costs);
-        if (!code && !truth.coverage) {
-            fprintf(stderr, "%s: nothing is to be seen\n", path);
-            code = CLI_BAD_DATA;
-        }
         reference_free(&truth);
-    } else {
-        fprintf(stderr, "%s: out of memory\n", path);
-        code = CLI_IO;
     }
+    pack_free(&ideal);
     pack_free(&packed);
     return code;
 }
@@ -210,5 +224,6 @@ void survey_free(struct survey *survey)
     }
     free(survey->rows);
     free(survey->truth);
+    free(survey->covered);
     *survey = (struct survey){0};
 }

@@ -3,6 +3,9 @@
  * A scene drawn by every method as a device would, in 8-bit grey at its camera's size, beside the truth: per-pixel
  * Phong in double precision, the normal interpolated correctly in perspective (reference.h). Differences are taken from
  * the truth before it is rounded, so that 8-bit output alone allows 58.9 dB, over the pixels that the scene covers.
+ *
+ * A scene NAME.json beside which lies NAME-ideal.json is a coarse mesh of that: the ideal scene is the truth, over the
+ * pixels that both cover.
  */
 #ifndef SURVEY_H
 #define SURVEY_H
@@ -12,8 +15,8 @@
 
 #include <stdbool.h>
 
-#define SURVEY_GAIN 32 /* by which difference pictures are amplified */
-#define SURVEY_NAME 64
+#define SURVEY_NAME   64
+#define SURVEY_MARGIN 2 /* pixels around what is covered */
 
 struct survey_row {
     const char *method;
@@ -24,16 +27,23 @@ struct survey_row {
      * least, of equals the cheapest; null: there is none, and the method belongs to the Pareto set. */
     const char *beaten_by[COSTS_CPUS];
     uint8_t *grey;       /* width x height: what it draws */
-    uint8_t *difference; /* the same in RGB: orange where it is too bright, blue where too dark, black where right */
+    uint8_t *difference; /* the same: picture_level() of what it is too bright, where compared, plus PICTURE_RIGHT */
+};
+
+struct survey_box {
+    unsigned left, top, width, height;
 };
 
 struct survey {
     char scene[SURVEY_NAME];
     unsigned width, height;
     bool perspective;
-    unsigned long triangles; /* of all objects */
-    uint8_t *truth;          /* rounded to 8 bits */
-    struct survey_row *rows; /* cheapest on the first cpu first; of equals the more exact */
+    unsigned long triangles;       /* of all objects */
+    unsigned long ideal_triangles; /* of the ideal scene; 0: there is none */
+    uint8_t *truth;                /* rounded to 8 bits */
+    uint8_t *covered;              /* 1 where pixels are compared */
+    struct survey_box box;         /* of those pixels, with a margin: what is worth showing */
+    struct survey_row *rows;       /* cheapest on the first cpu first; of equals the more exact */
     unsigned count;
 };
 

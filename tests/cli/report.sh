@@ -19,12 +19,21 @@ flash() {
         for method in gouraud phong x; do echo "$cpu,$method,4${#cpu}99"; done
     done
 }
+powers() {
+    echo cpu,scene,power,exponent,instructions
+    for cpu in m3 m0plus; do
+        for exponent in 5 20 50 200; do
+            for power in table exact 4 8 16; do echo "$cpu,tiny,$power,$exponent,$((exponent + 7))770000"; done
+        done
+    done
+}
 begin() { # an empty folder with good costs
     fresh
     costs >costs.csv
     flash >flash.csv
+    powers >powers.csv
 }
-report=("$glint" report --costs costs.csv --flash flash.csv --methods 'gouraud,x,phong' -o out)
+report=("$glint" report --costs costs.csv --flash flash.csv --powers powers.csv --methods 'gouraud,x,phong' -o out)
 count() { grep -o -- "$2" "$1" | wc -l; }
 equal() { # NAME VALUE WANTED
     if [ "$2" = "$3" ]; then say ok "$1"; else say FAIL "$1" "'$2', not '$3'"; fi
@@ -56,7 +65,7 @@ run 'the more exact has the higher PSNR' 0 awk -F, '
 # the page
 equal 'the page shows the truth, three pictures and three differences' "$(count out/index.html '<img ')" 7
 equal 'all of them inside it' "$(count out/index.html 'src="data:image/png;base64,')" 7
-equal 'and two plots' "$(count out/index.html '<svg')" 2
+equal 'and two plots, and two of the angle' "$(count out/index.html '<svg')" 4
 equal 'it runs and loads nothing' "$(grep -ciE '<script|<link|<iframe|@import|url\(.?http|src="[^d]' out/index.html)" 0
 matches 'it fits a phone' out/index.html '<meta name="viewport" content="width=device-width'
 matches 'and follows light or dark' out/index.html 'prefers-color-scheme:dark'
@@ -70,11 +79,19 @@ grep -oE ' href="#[^"]*' out/index.html | sed 's/.*#//' | sort -u | while read -
 done >lost
 equal 'every link leads somewhere' "$(cat lost)" ''
 grep -oE 'alt="tiny by x" src="data:image/png;base64,[^"]*' out/index.html | sed 's/.*base64,//' | base64 -d >inside.png
-run 'the picture in the page is what is drawn' 0 sh -c "'$glint' compare inside.png x.png | grep -q '^psnr_db inf'"
+run 'the picture in the page is one' 0 "$glint" compare inside.png inside.png
+equal 'a truth says what the colours of a difference mean' "$(count out/index.html '<td style="background:#')" 16
 for cpu in M3 'M0\+'; do
     matches "a plot says that it is of the ${cpu/\\/}" out/index.html "<text>.*million instructions a frame on $cpu<"
 done
 equal 'every method has its name in both plots' "$(count out/index.html '<text>gouraud<\|<text>x<\|<text>phong<')" 6
+
+# the sections behind the scenes
+matches 'X is worse than the line on some triangles' out/index.html '<tr><td>10°</td><td>0\.063 %</td><td>1\.047 times</td><td>0\.000 %</td>'
+equal 'twenty powers are compared' "$(grep -cE '^<tr[^>]*><td>(5|20|50|200), (table|exact|γ = (4|8|16))</td>' out/index.html)" 20
+matches 'with their costs' out/index.html '<td>200, table</td>.*<td>207\.77</td><td>207\.77</td></tr>'
+matches 'the exact one is' out/index.html '<td>50, exact</td><td>0\.00</td>'
+matches 'and the free ones err as is known' out/index.html '<td>50, γ = 8</td><td>7\.62</td>'
 
 # an old report gives way only to a whole one
 cp -r out old
@@ -102,6 +119,10 @@ bad 'a cost of nothing' costs.csv '2s/1111000/0/' '^costs\.csv:2: '
 bad 'a size of nothing' flash.csv '2s/,4.*/,0/' '^flash\.csv:2: the bytes are no number above 0$'
 bad 'a second count' costs.csv '3p' '^costs\.csv:4: a second line for this cpu, scene and method$'
 bad 'a second size' flash.csv '3p' '^flash\.csv:4: a second line for this cpu and method$'
+bad 'a missing power' powers.csv '/m0plus,tiny,8,50/d' '^powers\.csv: no line for tiny with power 8 and exponent 50 on m0plus$'
+bad 'a power that there is not' powers.csv '2s/table/fast/' '^powers\.csv:2: no such form of the power'
+bad 'an exponent of nothing' powers.csv '2s/,5,/,0,/' '^powers\.csv:2: the exponent is 1\.\.1023$'
+bad 'a second power' powers.csv '3p' '^powers\.csv:4: a second line for this cpu, scene, power and exponent$'
 bad 'a file without its head' costs.csv 1d '^costs\.csv:1: the columns are cpu,scene,method,'
 bad 'a column too many' flash.csv '2s/$/,1/' '^flash\.csv:2: the columns are cpu,method,bytes$'
 bad 'a file that is empty' costs.csv d '^costs\.csv: empty$'
@@ -123,6 +144,19 @@ chmod +x bin/gnuplot
 run 'nor with one that fails' 3 env PATH="$work/bin:$PATH" "${report[@]}" "$tiny"
 printf '#!/bin/sh\necho nothing\n' >bin/gnuplot
 run 'or draws nothing' 3 env PATH="$work/bin:$PATH" "${report[@]}" "$tiny"
+begin
+"${report[@]}" "$tiny" >/dev/null
+cp "$tiny" tiny.json
+sed 's/"size": *\[ *96/"size": [97/' "$tiny" >tiny-ideal.json
+run 'an ideal scene of another size is refused' 1 "${report[@]}" tiny.json
+matches 'and named' "$top/err" '^tiny-ideal\.json: 97x72, but tiny is 96x72$'
+cp "$tiny" tiny-ideal.json
+run 'an ideal scene beside it is the truth' 0 "${report[@]}" tiny.json
+matches 'which the page says' out/index.html 'Its truth is tiny-ideal'
+begin
+run 'without powers there is a report' 0 "$glint" report --costs costs.csv --flash flash.csv --methods gouraud -o out "$tiny"
+equal 'without that section' "$(count out/index.html 'id="power"')$(count out/index.html '#power')" 00
+begin
 echo '{}' >empty.json
 run 'a scene without a camera is refused' 1 "${report[@]}" empty.json
 cp "$tiny" 'a b.json'

@@ -2,6 +2,9 @@
 /*
  * Draws the common benchmark (320x240, RGB565, 16-bit depth, clear included) and counts instructions.
  *   bench                                every scene, principal method and band count: one CSV line each
+ *   bench grey8                          every scene by every method, one frame in 8-bit grey at the camera's size
+ *   bench power                          the first scene by x, likewise, with each form and some exponents of the
+ *                                        highlight's power
  *   bench SCENE METHOD BANDS TABLES N    one of them, N frames, nothing printed: for profilers, which look at the calls
  *                                        of bench_frame()
  */
@@ -10,13 +13,21 @@
 
 #define MEMORY         (1536u * 1024u)
 #define BAND           (320u * 240u * 2u) /* bytes */
+#define BLOB           (128u * 1024u)     /* bytes: a scene whose exponents are changed */
 #define COUNT(array)   (sizeof array / sizeof array[0])
 #define CALIBRATE_TURN 1000000u
 
 static const struct glint_choice principal[] = {
     {"flat", &glint_flat}, {"gouraud", &glint_gouraud}, {"x", &glint_x}, {"phong", &glint_phong}};
 
-static uint32_t bench_memory[MEMORY / 4], bench_band[BAND / 4];
+static const struct {
+    const char *name;
+    const struct glint_power *power;
+} powers[] = {
+    {"table", 0}, {"exact", &glint_power_exact}, {"4", &glint_power_4}, {"8", &glint_power_8}, {"16", &glint_power_16}};
+static const uint16_t exponents[] = {5, 20, 50, 200};
+
+static uint32_t bench_memory[MEMORY / 4], bench_band[BAND / 4], bench_blob[BLOB / 4];
 
 int bench_frame(struct glint_frame *frame, const void *scene, uint32_t time_ms);
 
@@ -32,12 +43,14 @@ __attribute__((noinline)) int bench_frame(struct glint_frame *frame, const void 
 }
 
 static int bench_init(struct glint_frame *frame, struct glint_config *config, const void *scene,
-                      const struct glint_choice *method, enum glint_format format, unsigned bands, uint8_t tables)
+                      const struct glint_choice *method, const struct glint_power *power, enum glint_format format,
+                      unsigned bands, uint8_t tables)
 {
     const struct scene_camera *camera = &((const struct scene_header *)scene)->camera;
     *config = (struct glint_config){.width = camera->reference_width, .height = camera->reference_height};
     config->format = (uint8_t)format;
     config->method = method->method;
+    config->power = power;
     config->tables = tables;
     config->band_rows = (uint16_t)((config->height + bands - 1) / bands);
     glint_fit_stores(config, scene);
@@ -70,17 +83,23 @@ static int bench_complain(const char *scene, const char *method, int error)
 }
 
 /* The cost of one frame that holds every triangle. */
-static int bench_cost(const struct program_scene *scene, const struct glint_choice *method)
+static int bench_cost(const void *blob, const struct glint_choice *method, const struct glint_power *power,
+                      struct glint_config *config, uint32_t *instructions)
 {
-    struct glint_config config;
     struct glint_frame frame;
-    int error = bench_init(&frame, &config, scene->blob, method, GLINT_GREY8, 1, 0);
+    int error = bench_init(&frame, config, blob, method, power, GLINT_GREY8, 1, 0);
     program_count_start();
     if (error == 0)
-        error = bench_frame(&frame, scene->blob, 0);
-    uint32_t instructions = program_count();
-    if (error == 0 && frame.stats.dropped)
-        error = GLINT_E_MEMORY;
+        error = bench_frame(&frame, blob, 0);
+    *instructions = program_count();
+    return error == 0 && frame.stats.dropped ? GLINT_E_MEMORY : error;
+}
+
+static int bench_grey(const struct program_scene *scene, const struct glint_choice *method)
+{
+    struct glint_config config;
+    uint32_t instructions;
+    int error = bench_cost(scene->blob, method, 0, &config, &instructions);
     if (error != 0)
         return bench_complain(scene->name, method->name, error);
     struct line line = {.length = 0};
@@ -97,13 +116,48 @@ static int bench_cost(const struct program_scene *scene, const struct glint_choi
     return 0;
 }
 
+/* A copy of the scene in which every material has this exponent. */
+static const void *bench_sharpen(const struct program_scene *scene, unsigned exponent)
+{
+    struct scene_header *copy = (struct scene_header *)bench_blob;
+    for (uint32_t i = 0; i < *scene->length / 4; i++)
+        bench_blob[i] = scene->blob[i];
+    struct scene_material *materials = (struct scene_material *)((uint8_t *)bench_blob + copy->materials);
+    if (copy->power_count)
+        fx_power_build((struct fx_power *)((uint8_t *)bench_blob + copy->powers), exponent);
+    for (unsigned i = 0; copy->power_count && i < copy->material_count; i++) {
+        materials[i].shininess = (uint16_t)exponent;
+        materials[i].power = 0;
+    }
+    return bench_blob;
+}
+
+static int bench_power(const struct program_scene *scene, unsigned exponent, unsigned form)
+{
+    static const struct glint_choice x = {"x", &glint_x};
+    struct glint_config config;
+    uint32_t instructions = 0;
+    int error = *scene->length > sizeof bench_blob ? GLINT_E_MEMORY : 0;
+    if (error == 0)
+        error = bench_cost(bench_sharpen(scene, exponent), &x, powers[form].power, &config, &instructions);
+    if (error != 0)
+        return bench_complain(scene->name, powers[form].name, error);
+    struct line line = {.length = 0};
+    line_text(&line, scene->name);
+    line_text(&line, ",");
+    line_text(&line, powers[form].name);
+    const uint32_t values[] = {exponent, instructions};
+    bench_fields(&line, values, COUNT(values));
+    return 0;
+}
+
 static int bench_one(const struct program_scene *scene, const struct glint_choice *method, unsigned bands,
                      uint8_t tables)
 {
     struct glint_config config;
     struct glint_frame frame;
     uint32_t instructions[2] = {0, 0};
-    int error = bench_init(&frame, &config, scene->blob, method, GLINT_RGB565, bands, tables);
+    int error = bench_init(&frame, &config, scene->blob, method, 0, GLINT_RGB565, bands, tables);
     for (int i = 0; i < 2 && error == 0; i++) {
         program_count_start();
         error = bench_frame(&frame, scene->blob, 0);
@@ -150,13 +204,32 @@ static void bench_calibrate(void)
 #endif
 }
 
+static int bench_run(const struct program_scene *scene, const struct glint_choice *method, char **argv)
+{
+    struct glint_config config;
+    struct glint_frame frame;
+    if (bench_init(&frame, &config, scene->blob, method, 0, GLINT_RGB565, text_number(argv[3]),
+                   (uint8_t)text_number(argv[4])) != 0)
+        return 1;
+    for (uint32_t i = text_number(argv[5]); i; i--)
+        if (bench_frame(&frame, scene->blob, 0) != 0)
+            return 1;
+    return 0;
+}
+
 int program_main(int argc, char **argv)
 {
     int bad = 0;
     if (argc == 2 && text_equal(argv[1], "grey8")) {
         for (unsigned s = 0; s < program_scene_count; s++)
             for (unsigned m = 0; m < glint_choice_count; m++)
-                bad |= bench_cost(&program_scenes[s], &glint_choices[m]);
+                bad |= bench_grey(&program_scenes[s], &glint_choices[m]);
+        return bad;
+    }
+    if (argc == 2 && text_equal(argv[1], "power")) {
+        for (unsigned e = 0; e < COUNT(exponents); e++)
+            for (unsigned form = 0; form < COUNT(powers); form++)
+                bad |= bench_power(&program_scenes[0], exponents[e], form);
         return bad;
     }
     if (argc < 6) {
@@ -168,22 +241,10 @@ int program_main(int argc, char **argv)
                         bad |= bench_one(&program_scenes[s], &principal[m], bands, tables);
         return bad;
     }
-    struct glint_config config;
-    struct glint_frame frame;
     for (unsigned s = 0; s < program_scene_count; s++)
-        for (unsigned m = 0; m < glint_choice_count; m++) {
-            const struct glint_choice *method = &glint_choices[m];
-            const void *scene = program_scenes[s].blob;
-            if (!text_equal(argv[1], program_scenes[s].name) || !text_equal(argv[2], method->name))
-                continue;
-            if (bench_init(&frame, &config, scene, method, GLINT_RGB565, text_number(argv[3]),
-                           (uint8_t)text_number(argv[4])) != 0)
-                return 1;
-            for (uint32_t i = text_number(argv[5]); i; i--)
-                if (bench_frame(&frame, scene, 0) != 0)
-                    return 1;
-            return 0;
-        }
+        for (unsigned m = 0; m < glint_choice_count; m++)
+            if (text_equal(argv[1], program_scenes[s].name) && text_equal(argv[2], glint_choices[m].name))
+                return bench_run(&program_scenes[s], &glint_choices[m], argv);
     program_write("bench: no such scene or method\n");
     return 2;
 }

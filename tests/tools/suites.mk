@@ -64,22 +64,29 @@ suite-bench: $(BUILD)/bench/device.csv
 bench-table: $(BUILD)/bench/device.csv $(BUILD)/bench/bench
 	@tests/tools/bench.sh $< $(BUILD)/bench/bench
 
-$(REPORT_CPUS:%=$(BUILD)/report/%.csv): $(BUILD)/report/%.csv: $(BUILD)/%/report.elf
-	$(call say,COUNT,$<)
-	@mkdir -p $(@D)
-	$(Q)$(call QEMU,$*) -icount shift=0 -append grey8 -kernel $< >$@.part || { grep '^error' $@.part >&2; false; }
-	$(Q)sed 's/^/$*,/' $@.part >$@ && rm $@.part
+# What the report's program counts: $(1) the columns, $(2) its argument, $(3) the file
+define report_rule
+$(REPORT_CPUS:%=$(BUILD)/report/%-$(2).csv): $(BUILD)/report/%-$(2).csv: $(BUILD)/%/report.elf
+	$$(call say,COUNT,'$$< $(2)')
+	@mkdir -p $$(@D)
+	$$(Q)$$(call QEMU,$$*) -icount shift=0 -append $(2) -kernel $$< >$$@.part || { grep '^error' $$@.part >&2; false; }
+	$$(Q)sed 's/^/$$*,/' $$@.part >$$@ && rm $$@.part
 
-$(BUILD)/report/costs.csv: $(REPORT_CPUS:%=$(BUILD)/report/%.csv)
-	$(Q){ echo cpu,scene,method,width,height,format,instructions; cat $^; } >$@
+$(BUILD)/report/$(3).csv: $(REPORT_CPUS:%=$(BUILD)/report/%-$(2).csv)
+	$$(Q){ echo $(subst |,$(comma),$(1)); cat $$^; } >$$@
+endef
+comma := ,
+$(eval $(call report_rule,cpu|scene|method|width|height|format|instructions,grey8,costs))
+$(eval $(call report_rule,cpu|scene|power|exponent|instructions,power,powers))
 
 $(BUILD)/report/flash.csv: $(REPORT_CPUS:%=$(BUILD)/%/report.elf) tests/tools/flash.sh
 	@mkdir -p $(@D)
 	$(Q)tests/tools/flash.sh $(REPORT_CPUS) >$@
 
 REPORT_JSON := $(foreach s,$(REPORT_SCENES),$(call scene_file,$(s)))
-$(BUILD)/report/index.html: $(GLINT) $(BUILD)/report/costs.csv $(BUILD)/report/flash.csv $(REPORT_JSON)
-	$(Q)$(GLINT) report -o $(@D) --costs $(@D)/costs.csv --flash $(@D)/flash.csv $(REPORT_JSON)
+REPORT_IDEAL := $(wildcard $(REPORT_JSON:.json=-ideal.json))
+$(BUILD)/report/index.html: $(GLINT) $(BUILD)/report/costs.csv $(BUILD)/report/flash.csv $(BUILD)/report/powers.csv $(REPORT_JSON) $(REPORT_IDEAL)
+	$(Q)$(GLINT) report -o $(@D) --costs $(@D)/costs.csv --flash $(@D)/flash.csv --powers $(@D)/powers.csv $(REPORT_JSON)
 
 report-page: $(BUILD)/report/index.html
 	@echo "$<"

@@ -104,9 +104,9 @@ static void folding_changes_nothing(void **state)
                            (bulge[0] * a * b + bulge[1] * b * c + bulge[2] * c * a) * 0x1p-28;
                 int32_t got = (int32_t)lrint(folded[0] * a + folded[1] * b + folded[2] * c -
                                              4 * (bent[0] * a * b + bent[1] * b * c + bent[2] * c * a));
-                free_forms[f].power->run_folded(down, &got, 1);
-                double wanted = s <= 0 ? got : formula(s, exponents[e], free_forms[f].gamma) * 0x1p15;
-                if (fabs(got - wanted) > 8)
+                free_forms[f].power->run_folded(exponents[e], down, &got, 1);
+                double wanted = formula(s, exponents[e], free_forms[f].gamma) * 0x1p15;
+                if (fabs(s) > 0x1p-16 && fabs(got - wanted) > 8) /* where n < g there is a step at 0 */
                     fail_msg("g %.0f n %u: s %.4f gives %d, not %.3f", free_forms[f].gamma, exponents[e], s, got,
                              wanted);
             }

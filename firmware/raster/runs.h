@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The general way of drawing: any format, any number of lights, slivers too, in runs of up to RUN pixels. A template:
+ * each method has its own copy with its shading in it.
+ */
+#ifndef GLINT_RUNS_H
+#define GLINT_RUNS_H
+
+#include "raster/raster.h"
+
+/* Tests and writes the depths of n pixels from (x, y): a bit for each that is nearer than what was there. */
+uint32_t raster_visible(struct raster *r, int x, int y, int n);
+
+/* `shade` fills r->sum for n pixels from (x, y), Q15 steps, unclamped. */
+typedef void runs_shade(struct raster *r, int x, int y, int n);
+
+/* Keeps a run's shading, or a way of drawing that is taken seldom, from taking registers of what calls it. */
+#define RUNS_APART __attribute__((noinline))
+
+/* Draws the triangle's spans; returns the pixels that passed the depth test. */
+static inline __attribute__((always_inline)) uint32_t runs_draw(struct raster *r, struct edges *e, runs_shade *shade)
+{
+    uint32_t drawn = 0;
+    int y = e->row;
+    do {
+        const struct span *span = r->span, *last = span + raster_spans(r, e);
+        for (; span != last; span++, y++) {
+            for (int x = span->x0; x < span->x1; x += RUN) {
+                int n = span->x1 - x < RUN ? span->x1 - x : RUN;
+                uint32_t mask = raster_visible(r, x, y, n);
+                if (!mask)
+                    continue;
+                drawn += (uint32_t)n;
+                for (uint32_t hidden = ~mask & ((1u << n) - 1); hidden; hidden &= hidden - 1)
+                    drawn--;
+                shade(r, x, y, n);
+                raster_write(r, x, y, mask);
+            }
+        }
+    } while (e->row < e->last);
+    return drawn;
+}
+
+#endif
