@@ -63,27 +63,26 @@ static int errs_at_centre(const struct raster *r, const struct part_corner corne
 }
 
 /*
- * Draws the triangle, whose corners are at the bottom of the stack, in parts over the rows of e. Parts are split until
- * they are `depth` <= PART_DEPTH deep; with `centre`, while they err there, and are quadratic. What is not in these
- * rows is left out, which changes no part that is.
+ * Draws the triangle, whose corners are at the bottom of the stack, in parts. Parts are split until they are `depth` <=
+ * PART_DEPTH deep; with `centre`, while they err there, and are quadratic. What is not in the band's rows is left out,
+ * which changes no part that is.
  */
-static uint32_t split(struct raster *r, const struct edges *e, unsigned depth, int centre)
+static uint32_t split(struct raster *r, struct edges *e, unsigned depth, int centre)
 {
     struct part_split *const bottom = r->setup.parts.split, *top = bottom;
-    const int32_t from = e->row, to = e->last;
     uint32_t drawn = 0;
     for (;;) {
         struct part_corner *part = top->corner;
         const struct part_corner *const corner[3] = {&part[0], &part[1], &part[2]};
         int more = 0;
-        if (parts_shows(r, corner, from, to)) {
+        if (parts_shows(r, corner)) {
             more = (unsigned)(top - bottom) < depth;
             if (more || centre)
                 find_middles(&r->input, part);
             if (centre)
                 more = more && height_of(r, part) >= SPLIT_LEAST && errs_at_centre(r, part);
             if (!more)
-                drawn += centre ? parts_quadratic(r, corner, &part[3], from, to) : parts_linear(r, corner, from, to);
+                drawn += centre ? parts_quadratic(r, e, corner, &part[3]) : parts_linear(r, e, corner);
         }
         top->next = more ? 0 : 4;
         for (; top->next == 4; top--)
