@@ -241,6 +241,33 @@ static void bands_of_any_height_give_the_same_bits(void **state)
     }
 }
 
+/* Neither marks nor colours kept with the vertices, nor what is left in memory. */
+static void a_picture_does_not_depend_on_the_one_before(void **state)
+{
+    (void)state;
+    long marked = 0;
+    random_seed(15);
+    for (int i = 0; i < 60; i++) {
+        struct scene_header *one = random_scene(i & 1, random_between(1, 80));
+        struct scene_header *other = random_scene(i & 1, random_between(1, 80));
+        for (size_t m = 0; m < METHODS; m++) {
+            struct frame_case f = frame_case_small(WIDTH, HEIGHT, GLINT_RGB565);
+            f.config.method = methods[m];
+            uint8_t *wanted = frame_case_picture(f, one, 0, NULL);
+            frame_case_open_for(&f, one);
+            frame_case_draw(&f, other, 0);
+            marked += f.frame.stats.potentially_highlighted;
+            frame_case_draw(&f, one, 0);
+            assert_memory_equal(f.picture, wanted, f.picture_bytes);
+            frame_case_close(&f);
+            free(wanted);
+        }
+        free(one);
+        free(other);
+    }
+    assert_true(marked > 40);
+}
+
 /* --- how triangles are split --- */
 
 /* The last scene with a small highlight within its triangle: the light is the viewer's mirror image there. */
@@ -474,6 +501,7 @@ int main(void)
         cmocka_unit_test(parts_cover_each_pixel_of_their_triangle_once),
         cmocka_unit_test(every_mode_draws_the_pixels_that_gouraud_draws),
         cmocka_unit_test(bands_of_any_height_give_the_same_bits),
+        cmocka_unit_test(a_picture_does_not_depend_on_the_one_before),
         cmocka_unit_test(the_stack_is_as_deep_as_the_deepest_split),
         cmocka_unit_test(limits_left_out_are_the_papers),
         cmocka_unit_test(triangles_are_counted_under_what_draws_them),
