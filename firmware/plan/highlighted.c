@@ -66,9 +66,11 @@ static int compare(struct scaled x, struct scaled y)
     return difference > 32 ? 1 : difference < -32 ? -1 : 0; /* numbers below 2^32, 2^-27 */
 }
 
-/* The sign of vn / |v| - ln / |l| from the squares. */
+/* The sign of vn / |v| - ln / |l| from the squares; 0 where there is no way to go. */
 static int h2_sign(int64_t vn, uint64_t vv, int64_t ln, uint64_t ll)
 {
+    if (!vv || !ll)
+        return 0;
     if ((vn < 0) != (ln < 0) || !vn || !ln)
         return vn > ln ? 1 : vn < ln ? -1 : 0;
     struct scaled v = scaled_of((uint64_t)(vn < 0 ? -vn : vn)), l = scaled_of((uint64_t)(ln < 0 ? -ln : ln));

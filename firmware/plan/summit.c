@@ -56,11 +56,13 @@ static void solve(const struct search *s, const uint16_t u[3], const uint16_t v[
     }
 }
 
-int32_t summit_cosine(const struct object_state *object, unsigned light, const struct highlighted_point *point)
+/* The cosine of normal and half-way vector there, Q14. Its frame is not to lie on the stack while edges are solved. */
+static __attribute__((noinline)) int32_t cosine_at(const struct search *s, const uint16_t weight[3])
 {
+    const struct highlighted_point point = point_at(s, weight);
     q14_t towards[3], half[3], normal[3];
-    object_light_at(object, light, point->place, towards, half);
-    object_unit(point->normal, normal);
+    object_light_at(s->object, s->light, point.place, towards, half);
+    object_unit(point.normal, normal);
     return object_dot(normal, half);
 }
 
@@ -103,8 +105,7 @@ enum summit_place summit_find(const struct object_state *object, unsigned light,
             refine(&s, (const uint16_t(*)[3])ends, a, b, c, weight);
         return SUMMIT_INSIDE;
     }
-    const struct highlighted_point q = point_at(&s, ends[0]), r = point_at(&s, ends[1]);
-    const int nearer = summit_cosine(object, light, &q) < summit_cosine(object, light, &r);
+    const int nearer = cosine_at(&s, ends[0]) < cosine_at(&s, ends[1]);
     for (int k = 0; k < 3; k++)
         weight[k] = ends[nearer][k];
     *opposite = nearer ? b : c; /* R is on the edge from a to c */

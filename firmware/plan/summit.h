@@ -22,7 +22,4 @@ enum summit_place {
 enum summit_place summit_find(const struct object_state *object, unsigned light,
                               const struct highlighted_point corner[3], uint16_t weight[3], int *opposite);
 
-/* The cosine between normal and half-way vector at a point, Q14. */
-int32_t summit_cosine(const struct object_state *object, unsigned light, const struct highlighted_point *point);
-
 #endif

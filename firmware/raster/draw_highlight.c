@@ -53,15 +53,14 @@ static int halve(const struct raster *r, const struct part_corner *peak, const s
 
 /* The part of a peak and two corners that follow it: what is cut off at a new corner is done, what keeps the peak goes
  * on. */
-static uint32_t draw_fan(struct raster *r, const struct edges *e, const struct part_corner *peak,
-                         const struct part_corner *a, const struct part_corner *b)
+static uint32_t draw_fan(struct raster *r, struct edges *e, const struct part_corner *peak, const struct part_corner *a,
+                         const struct part_corner *b)
 {
     struct part_corner end[2] = {*a, *b}, middle;
     const struct part_corner *const rest[3] = {peak, &end[0], &end[1]}, *const cut[3] = {&middle, &end[0], &end[1]};
-    const int32_t from = e->row, to = e->last;
     int left[2] = {HALVINGS, HALVINGS};
     uint32_t drawn = 0;
-    if (!parts_shows(r, rest, from, to))
+    if (!parts_shows(r, rest))
         return 0;
     while (left[0] || left[1])
         for (int k = 0; k < 2; k++) {
@@ -71,11 +70,11 @@ static uint32_t draw_fan(struct raster *r, const struct edges *e, const struct p
                 left[k] = 0;
                 continue;
             }
-            drawn += parts_linear(r, cut, from, to);
+            drawn += parts_linear(r, e, cut);
             end[k] = middle;
             left[k]--;
         }
-    return drawn + parts_linear(r, rest, from, to);
+    return drawn + parts_linear(r, e, rest);
 }
 
 /* A corner of the triangle in the mesh. */

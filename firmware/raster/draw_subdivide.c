@@ -13,10 +13,8 @@ static void find_middles(const struct shade_input *in, struct part_corner corner
         part_between(in, &corner[k], &corner[k == 2 ? 0 : k + 1], &corner[3 + k]);
 }
 
-/* Sub-pixels: what is lower is not split, so that its parts, half as high, have polynomials: linear from half a pixel
- * on, quadratic from a pixel on. */
-#define SPLIT_LINEAR    16
-#define SPLIT_QUADRATIC 32
+/* Sub-pixels: what is lower is not split, so that its parts, half as high, have polynomials: from half a pixel on. */
+#define SPLIT_LEAST 16
 
 static int32_t height_of(const struct raster *r, const struct part_corner corner[3])
 {
@@ -31,7 +29,7 @@ static unsigned depth_of(const struct raster *r, const struct part_corner corner
     uint32_t area = r->setup.plane.det; /* 512 a pixel: sub-pixels' squares, twice */
     int32_t height = height_of(r, corner);
     unsigned depth = 0;
-    for (; depth < PART_DEPTH && area > (uint32_t)r->split.area << 9 && height >= SPLIT_LINEAR; depth++) {
+    for (; depth < PART_DEPTH && area > (uint32_t)r->split.area << 9 && height >= SPLIT_LEAST; depth++) {
         area >>= 2;
         height >>= 1;
     }
@@ -65,27 +63,26 @@ static int errs_at_centre(const struct raster *r, const struct part_corner corne
 }
 
 /*
- * Draws the triangle, whose corners are at the bottom of the stack, in parts over the rows of e. Parts are split until
- * they are `depth` <= PART_DEPTH deep; with `centre`, while they err there, and are quadratic. What is not in these
- * rows is left out, which changes no part that is.
+ * Draws the triangle, whose corners are at the bottom of the stack, in parts. Parts are split until they are `depth` <=
+ * PART_DEPTH deep; with `centre`, while they err there, and are quadratic. What is not in the band's rows is left out,
+ * which changes no part that is.
  */
-static uint32_t split(struct raster *r, const struct edges *e, unsigned depth, int centre)
+static uint32_t split(struct raster *r, struct edges *e, unsigned depth, int centre)
 {
     struct part_split *const bottom = r->setup.parts.split, *top = bottom;
-    const int32_t from = e->row, to = e->last;
     uint32_t drawn = 0;
     for (;;) {
         struct part_corner *part = top->corner;
         const struct part_corner *const corner[3] = {&part[0], &part[1], &part[2]};
         int more = 0;
-        if (parts_shows(r, corner, from, to)) {
+        if (parts_shows(r, corner)) {
             more = (unsigned)(top - bottom) < depth;
             if (more || centre)
                 find_middles(&r->input, part);
             if (centre)
-                more = more && height_of(r, part) >= SPLIT_QUADRATIC && errs_at_centre(r, part);
+                more = more && height_of(r, part) >= SPLIT_LEAST && errs_at_centre(r, part);
             if (!more)
-                drawn += centre ? parts_quadratic(r, corner, &part[3], from, to) : parts_linear(r, corner, from, to);
+                drawn += centre ? parts_quadratic(r, e, corner, &part[3]) : parts_linear(r, e, corner);
         }
         top->next = more ? 0 : 4;
         for (; top->next == 4; top--)
@@ -115,7 +112,7 @@ static uint32_t draw_by_size(struct raster *r, struct edges *e)
 
 static uint32_t draw_by_centre(struct raster *r, struct edges *e)
 {
-    if (height_of(r, take_whole(r)) >= SPLIT_QUADRATIC / 2)
+    if (height_of(r, take_whole(r)) >= SPLIT_LEAST)
         return split(r, e, PART_DEPTH, 1);
     shade_color6(&r->setup, &r->input); /* exact at each pixel of what is that low */
     return draw_color6(r, e);

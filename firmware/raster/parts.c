@@ -18,46 +18,44 @@ static void places(const struct raster *r, const struct part_corner *const corne
         p[k] = part_place(&r->input, corner[k]);
 }
 
-int parts_shows(const struct raster *r, const struct part_corner *const corner[3], int32_t from, int32_t to)
+int parts_shows(const struct raster *r, const struct part_corner *const corner[3])
 {
     struct part_place p[3];
     places(r, corner, p);
     int32_t top = p[0].y < p[1].y ? p[0].y : p[1].y, bottom = p[0].y > p[1].y ? p[0].y : p[1].y;
     top = p[2].y < top ? p[2].y : top;
     bottom = p[2].y > bottom ? p[2].y : bottom;
-    return fine_row(bottom, r->height) > from && fine_row(top, r->height) < to;
+    return fine_row(bottom, r->height) > r->y0 && fine_row(top, r->height) < r->y1;
 }
 
-uint32_t parts_linear(struct raster *r, const struct part_corner *const corner[3], int32_t from, int32_t to)
+uint32_t parts_linear(struct raster *r, struct edges *e, const struct part_corner *const corner[3])
 {
     struct part_place p[3];
-    struct edges e;
     places(r, corner, p);
-    if (!fine_setup(&e, p, r->width, r->height, from, to))
+    if (!fine_setup(e, p, r->width, r->height, r->y0, r->y1))
         return 0;
     const int fast = r->format == GLINT_RGB565 && !r->dither && part_linear(&r->setup, &r->input, corner, 1);
     uint32_t drawn = 0;
     if (!fast)
         part_linear(&r->setup, &r->input, corner, 0);
     do
-        drawn += fast ? draw_gouraud(r, &e) : runs_draw(r, &e, shade_part);
-    while (fine_setup(&e, p, r->width, r->height, e.last, to));
+        drawn += fast ? draw_gouraud(r, e) : runs_draw(r, e, shade_part);
+    while (fine_setup(e, p, r->width, r->height, e->last, r->y1));
     return drawn;
 }
 
-uint32_t parts_quadratic(struct raster *r, const struct part_corner *const corner[3],
-                         const struct part_corner middle[3], int32_t from, int32_t to)
+uint32_t parts_quadratic(struct raster *r, struct edges *e, const struct part_corner *const corner[3],
+                         const struct part_corner middle[3])
 {
     struct part_place p[3];
-    struct edges e;
     places(r, corner, p);
-    if (!fine_setup(&e, p, r->width, r->height, from, to))
+    if (!fine_setup(e, p, r->width, r->height, r->y0, r->y1))
         return 0;
     uint32_t drawn = 0;
     if (!part_quadratic(&r->setup, &r->input, corner, middle))
         part_linear(&r->setup, &r->input, corner, 0);
     do
-        drawn += runs_draw(r, &e, shade_part);
-    while (fine_setup(&e, p, r->width, r->height, e.last, to));
+        drawn += runs_draw(r, e, shade_part);
+    while (fine_setup(e, p, r->width, r->height, e->last, r->y1));
     return drawn;
 }

@@ -210,10 +210,42 @@ FX_WRAPS static void scale_up(struct polynomial *p, int up)
     p->c <<= up;
 }
 
-static void constant(struct channel *channel, const int32_t value[3])
+/* What is lower than half a pixel: the mean in its middle, and along the main axis of its longest edge that one's
+ * slope, if it is a pixel long; a slope is below 2^30 then, and values stay within 2^30 of the mean. */
+static __attribute__((noinline)) void narrow(struct shade_setup *setup, const struct shade_input *in,
+                                             const struct part_corner *const corner[3])
 {
-    channel->exact = 0;
-    channel->p = (struct polynomial){(uint32_t)((value[0] + value[1] + value[2]) / 3) << 16, 0, 0, 0, 0, 0};
+    const struct part_place p[3] = {part_place(in, corner[0]), part_place(in, corner[1]), part_place(in, corner[2])};
+    const int32_t ox = (in->place[0][VERTEX_X] + setup->plane.fx) * (1 << 15),
+                  oy = (in->place[0][VERTEX_Y] + setup->plane.fy) * (1 << 15); /* the origin */
+    int from = 0, to = 0, steep = 0;
+    int32_t longest = (1 << 19) - 1;
+    for (int k = 0; k < 3; k++) {
+        const int next = k == 2 ? 0 : k + 1;
+        const int32_t x = p[next].x - p[k].x, y = p[next].y - p[k].y; /* at most 2^30 */
+        const int32_t axis = size_of(y) > size_of(x) ? y : x;
+        if ((int32_t)size_of(axis) <= longest)
+            continue;
+        longest = (int32_t)size_of(axis);
+        steep = axis == y;
+        from = axis > 0 ? k : next;
+        to = axis > 0 ? next : k;
+    }
+    const unsigned up = fx_clz((uint32_t)longest);
+    const int64_t inverse = fx_recip_norm((uint32_t)longest << up); /* 2^63 / longest 2^up, 1 <= up <= 12 */
+    int64_t off = 0;                                                /* thrice the way from the middle to the origin */
+    for (int k = 0; k < 3; k++)
+        off += steep ? oy - (int64_t)p[k].y : ox - (int64_t)p[k].x;
+    for (unsigned c = 0; c < in->surface->channels; c++) {
+        const int32_t first = corner[from]->colour[c] >> 2, last = corner[to]->colour[c] >> 2;
+        const int32_t sum = (corner[0]->colour[c] >> 2) + (corner[1]->colour[c] >> 2) + (corner[2]->colour[c] >> 2);
+        const int64_t slope = (last - first) * inverse >> (28 - up); /* a pixel's, Q22 */
+        struct channel *channel = &setup->channel[c];
+        channel->exact = 0;
+        channel->p = (struct polynomial){0, 0, 0, 0, 0, 0};
+        channel->p.f = (uint32_t)((((int64_t)sum << 16) + (slope * off >> 19)) / 3); /* 2^30 * 3 2^30 */
+        *(steep ? &channel->p.e : &channel->p.d) = (uint32_t)slope;
+    }
 }
 
 /* What has been rounded can pass the corners' values: by 2^-9 of them where the height is 2^9 of the scaled units. */
@@ -229,18 +261,23 @@ int part_linear(struct shade_setup *setup, const struct shade_input *in, const s
     /* Slopes: Q8 values over 2 pixels are 2^16 / 2 in Q16; Q6 over half a pixel the same. */
     if (fine && (!any || frame.height < 32 || (frame.lost && frame.plane.up - 2 * frame.plane.scale > MOST_UP_ROUNDED)))
         return 0;
+    if (!any || frame.height < 8) {
+        narrow(setup, in, corner);
+        return 1;
+    }
     for (unsigned c = 0; c < in->surface->channels; c++) {
         int32_t value[3];
         for (int k = 0; k < 3; k++)
             value[k] = corner[k]->colour[c] >> (fine ? 0 : 2);
-        if (!any || frame.height < 8) {
-            constant(&setup->channel[c], value);
-            continue;
-        }
         plane_linear(&frame.plane, value, &setup->channel[c]);
         move(&frame, &setup->channel[c].p);
     }
     return 1;
+}
+
+static int32_t rounded(uint16_t colour, int lost)
+{
+    return (colour + (1 << (lost - 1))) >> lost;
 }
 
 int part_quadratic(struct shade_setup *setup, const struct shade_input *in, const struct part_corner *const corner[3],
@@ -250,23 +287,25 @@ int part_quadratic(struct shade_setup *setup, const struct shade_input *in, cons
     if (!frame_setup(&frame, &setup->plane, in, corner))
         return 0;
     plane_setup_quadratic(&frame.plane);
-    if (frame.height < 16 || frame.plane.up - 2 * frame.plane.scale > MOST_UP_QUADRATIC)
+    if (frame.height < 8 || frame.plane.up - 2 * frame.plane.scale > MOST_UP_QUADRATIC)
         return 0;
     frame.plane.thin = 0;
-    /* Bends over 1 pixel's height are 4 times those over the 2 that plane_quadratic() is made for: 2 bits less. */
-    const int low = frame.height < 32, lost = low ? 6 : 4;
+    /* Bends over 1 pixel's height are 4 times those over the 2 that plane_quadratic() is made for, over half a pixel 16
+     * times: 2 or 4 bits less. Rounded, these still hold each sample within half of 1/255. */
+    const int lost = frame.height < 16 ? 8 : frame.height < 32 ? 6 : 4;
     for (unsigned c = 0; c < in->surface->channels; c++) {
         int32_t value[3], bulge[3];
+        for (int k = 0; k < 3; k++)
+            value[k] = rounded(corner[k]->colour[c], lost);
         for (int k = 0; k < 3; k++) {
-            /* a = 2 (I1 + I2 - 2 I12): the values have 8 bits and 4 or 2 of fraction, so that in Q28 of 2^14 it stays
-             * within what plane_quadratic() takes, 4 * 255 * 2^4 * 2^14 < 2^28. */
-            const int next = k == 2 ? 0 : k + 1;
-            value[k] = corner[k]->colour[c] >> lost;
-            bulge[k] = (value[k] + (corner[next]->colour[c] >> lost) - 2 * (middle[k].colour[c] >> lost)) * (1 << 15);
+            /* a = 2 (I1 + I2 - 2 I12): the values have 8 bits and 4, 2 or 0 of fraction, so that in Q28 of 2^14 it
+             * stays within what plane_quadratic() takes, 4 * 255 * 2^4 * 2^14 < 2^28. */
+            const int32_t ends = value[k] + value[k == 2 ? 0 : k + 1];
+            bulge[k] = (ends - 2 * rounded(middle[k].colour[c], lost)) * (1 << 15);
         }
         plane_quadratic(&frame.plane, value, bulge, &setup->channel[c]);
         move(&frame, &setup->channel[c].p);
-        scale_up(&setup->channel[c].p, low ? 4 : 2);
+        scale_up(&setup->channel[c].p, lost - 2);
     }
     return 1;
 }

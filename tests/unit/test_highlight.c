@@ -330,6 +330,19 @@ static void a_zero_counts_as_both_signs(void **state)
     assert_true(passes());
 }
 
+/* It has no direction from there, so nothing speaks against a highlight. */
+static void a_light_at_a_corner_counts_as_both_signs(void **state)
+{
+    (void)state;
+    object = (struct object_state){0};
+    object.eye = (struct object_point){{0, 0, 16384}, 0};
+    object.light[0].source = (struct object_point){{500, -700, 900}, 1};
+    corner[0] = (struct highlighted_point){{500, -700, 900}, {0, 0, 16384}};
+    struct highlighted_signs s = highlighted_signs(&object, 1, &corner[0]);
+    assert_int_equal(s.below1 & s.above1 & s.below2 & s.above2, 1);
+    assert_int_equal(s.away, 0);
+}
+
 /* Any light that has its highlight there makes a triangle one, each in its own bit. */
 static void every_light_has_its_own_bit(void **state)
 {
@@ -431,6 +444,7 @@ int main(void)
         cmocka_unit_test(few_highlights_of_near_lights_are_missed),
         cmocka_unit_test(conditions_have_the_signs_of_their_formulas),
         cmocka_unit_test(a_zero_counts_as_both_signs),
+        cmocka_unit_test(a_light_at_a_corner_counts_as_both_signs),
         cmocka_unit_test(every_light_has_its_own_bit),
         cmocka_unit_test(the_peak_of_a_directional_light_is_its_centre),
         cmocka_unit_test(the_peak_of_a_near_light_is_its_centre),
