@@ -111,8 +111,4 @@ quality() { # scene exponent command method
     stack
     echo
 } >"$work/figures"
-awk -v figures="$work/figures" '
-    /<!-- figures end -->/ { inside = 0 }
-    !inside { print }
-    /<!-- figures begin/ { inside = 1; while ((getline line < figures) > 0) print line }' "$readme" >"$work/readme"
-cat "$work/readme" >"$readme"
+tests/tools/paste.sh "$readme" <"$work/figures"
