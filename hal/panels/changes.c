@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "panels/changes.h"
 
-#include <string.h>
-
 #define MULTIPLIER 0x9E3779B1u /* odd, its bits well mixed: 2^32 over the golden ratio, a prime near it */
 
 /* A step is one-to-one in the sum and in the word: rows that differ in one word never have the same sum. The rotation
@@ -21,12 +19,12 @@ uint32_t changes_sum(const void *row, uint32_t bytes)
     uint32_t sum = MULTIPLIER, word, rest = bytes & 3, words = bytes / 4;
     if (((uintptr_t)at & 3) == 0)
         for (; words; words--, at += 4) {
-            memcpy(&word, __builtin_assume_aligned(at, 4), 4);
+            __builtin_memcpy(&word, __builtin_assume_aligned(at, 4), 4);
             sum = changes_mix(sum, word);
         }
     else
         for (; words; words--, at += 4) {
-            memcpy(&word, at, 4);
+            __builtin_memcpy(&word, at, 4);
             sum = changes_mix(sum, word);
         }
     for (; rest; rest--)
@@ -39,15 +37,15 @@ static int changes_same(const void *before, const void *row, uint32_t bytes)
 {
     const uint8_t *a = before, *b = row;
     if (((uintptr_t)a | (uintptr_t)b) & 3)
-        return memcmp(a, b, bytes) == 0;
+        return __builtin_memcmp(a, b, bytes) == 0;
     for (; bytes >= 4; bytes -= 4, a += 4, b += 4) {
         uint32_t word, other;
-        memcpy(&word, __builtin_assume_aligned(a, 4), 4);
-        memcpy(&other, __builtin_assume_aligned(b, 4), 4);
+        __builtin_memcpy(&word, __builtin_assume_aligned(a, 4), 4);
+        __builtin_memcpy(&other, __builtin_assume_aligned(b, 4), 4);
         if (word != other)
             return 0;
     }
-    return memcmp(a, b, bytes) == 0;
+    return __builtin_memcmp(a, b, bytes) == 0;
 }
 
 int changes_row(struct panel *panel, const void *row, uint32_t y)
@@ -57,7 +55,7 @@ int changes_row(struct panel *panel, const void *row, uint32_t y)
         uint8_t *before = (uint8_t *)panel->memory + y * bytes;
         if (!panel->all && changes_same(before, row, bytes))
             return 0;
-        memcpy(before, row, bytes);
+        __builtin_memcpy(before, row, bytes);
         return 1;
     }
     if (panel->memory_size < 4u * panel->down)

@@ -20,8 +20,6 @@
  * byte more: units of 5 ms to wait then. */
 #define PANEL_DELAY 0x80
 
-#define PANEL_QUARTER_TURNS 4
-
 struct panel_table {
     const uint8_t *bytes;
     uint16_t size;
@@ -32,17 +30,17 @@ struct panel_controller {
     struct panel_table reset; /* to the state after power-up; empty where only the reset line does it */
     struct panel_table start; /* all registers; can be sent again at any time */
     struct panel_table on, off;
-    uint16_t columns, rows;            /* pixels of its memory */
-    uint8_t format;                    /* enum hal_pixel_format it takes */
-    uint8_t arguments;                 /* enum hal_bus_kind of a command's arguments */
-    uint8_t address_bytes;             /* of a column or row in a window */
-    uint8_t column, row, write;        /* commands of a window; write == 0: pixels follow the rows */
-    uint8_t orient;                    /* the command for turn[] */
-    uint8_t turn[PANEL_QUARTER_TURNS]; /* its argument at 0, 90, 180, 270 degrees; all the same: turned here */
-    uint8_t swaps;                     /* exchanges the window's sides itself at quarter turns (MADCTL's MV) */
-    uint8_t bgr;                       /* bit of the argument that swaps red and blue; 0: it has no colours */
-    uint8_t normal, inverted;          /* commands */
-    uint8_t tearing;                   /* command that turns the tearing signal on, with one argument 0; 0: none */
+    uint16_t columns, rows;     /* pixels of its memory */
+    uint8_t format;             /* enum hal_pixel_format it takes */
+    uint8_t arguments;          /* enum hal_bus_kind of a command's arguments */
+    uint8_t address_bytes;      /* of a column or row in a window */
+    uint8_t column, row, write; /* commands of a window; write == 0: pixels follow the rows */
+    uint8_t orient;             /* the command for turn[] */
+    uint8_t turn[4];            /* its argument at 0, 90, 180, 270 degrees; all the same: turned here */
+    uint8_t swaps;              /* exchanges the window's sides itself at quarter turns (MADCTL's MV) */
+    uint8_t bgr;                /* bit of the argument that swaps red and blue; 0: it has no colours */
+    uint8_t normal, inverted;   /* commands */
+    uint8_t tearing;            /* command that turns the tearing signal on, with one argument 0; 0: none */
 };
 
 extern const struct panel_controller panel_st7789, panel_ili9341, panel_ssd1351, panel_ssd0323;
