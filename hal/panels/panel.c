@@ -10,9 +10,10 @@
  * supplies that are settled by then. */
 #define REFRESH_MS 5
 
-static int panel_turns_itself(const struct panel_controller *controller)
+/* The picture's rows are not the memory's in order. */
+static int panel_by_software(const struct panel *panel)
 {
-    return controller->turn[0] != controller->turn[1];
+    return panel->turns && panel->controller->turning == PANEL_BY_SOFTWARE;
 }
 
 static int panel_accepts(const struct panel *panel, uint16_t width, uint16_t height, enum hal_pixel_format format)
@@ -37,7 +38,7 @@ static int panel_accepts(const struct panel *panel, uint16_t width, uint16_t hei
 static void panel_place(struct panel *panel)
 {
     const struct panel_controller *controller = panel->controller;
-    uint32_t turns = panel_turns_itself(controller) ? panel->turns : 0;
+    uint32_t turns = panel_by_software(panel) ? 0 : panel->turns;
     uint32_t x = panel->offset_x, y = panel->offset_y;
     if (turns == 2 || turns == 3)
         x = (uint32_t)controller->columns - panel->width - x;
@@ -117,7 +118,7 @@ static int panel_begin(struct hal_display *display, uint32_t index, uint32_t del
 /* Sends rows that belong together. The window reaches to the picture's end, so that what follows needs none. */
 static int panel_send(struct panel *panel, const uint8_t *pixels, uint32_t y, uint32_t rows, uint32_t stride)
 {
-    if (panel->turns && !panel_turns_itself(panel->controller))
+    if (panel_by_software(panel))
         return turn_send(panel, pixels, y, rows, stride);
     int error = panel->next == y ? 0 : wire_window(panel, 0, y, panel->across, panel->down - y);
     panel->next = (uint16_t)(y + rows);
@@ -127,7 +128,7 @@ static int panel_send(struct panel *panel, const uint8_t *pixels, uint32_t y, ui
 static int panel_flush(struct hal_display *display, const void *pixels, uint16_t y, uint16_t rows, uint32_t stride)
 {
     struct panel *panel = (struct panel *)display;
-    uint32_t unit = (panel->turns & 1) && !panel_turns_itself(panel->controller) ? 2 : 1;
+    uint32_t unit = panel_by_software(panel) && (panel->turns & 1) ? 2 : 1;
     if ((uint32_t)y + rows > panel->down || (unit == 2 && ((y | rows) & 1)))
         return HAL_E_ARGUMENT;
     uint32_t cost = panel->window_cost ? panel->window_cost : wire_window_bytes(panel->controller);

@@ -25,6 +25,13 @@ struct panel_table {
     uint16_t size;
 };
 
+/* How a picture is turned by a quarter. */
+enum panel_turning {
+    PANEL_EXCHANGES,   /* the controller exchanges a window's sides (MADCTL's MV) */
+    PANEL_GOES_DOWN,   /* it fills columns first, in windows that keep the memory's sides */
+    PANEL_BY_SOFTWARE, /* turn.c, half a turn too */
+};
+
 /* What is one controller's own, from its data sheet. Where modules differ, as the usual one has it. */
 struct panel_controller {
     struct panel_table reset; /* to the state after power-up; empty where only the reset line does it */
@@ -36,8 +43,8 @@ struct panel_controller {
     uint8_t address_bytes;      /* of a column or row in a window */
     uint8_t column, row, write; /* commands of a window; write == 0: pixels follow the rows */
     uint8_t orient;             /* the command for turn[] */
-    uint8_t turn[4];            /* its argument at 0, 90, 180, 270 degrees; all the same: turned here */
-    uint8_t swaps;              /* exchanges the window's sides itself at quarter turns (MADCTL's MV) */
+    uint8_t turn[4];            /* its argument at 0, 90, 180, 270 degrees */
+    uint8_t turning;            /* enum panel_turning */
     uint8_t bgr;                /* bit of the argument that swaps red and blue; 0: it has no colours */
     uint8_t normal, inverted;   /* commands */
     uint8_t tearing;            /* command that turns the tearing signal on, with one argument 0; 0: none */
@@ -57,7 +64,7 @@ struct panel {
     uint16_t refresh;            /* pictures from one sending of all registers to the next; 0: only in open() */
     /* To send changed rows only, memory for the last picture; without it, or with less than 4 bytes a row, every row
      * is sent. A whole picture's bytes: exact. Less: a 32-bit checksum a row, a change missed once in 2^32 changed rows
-     * (83 hours of 240 rows 60 times a second), until the row changes again or the next repaint. Multiple of 4. */
+     * (83 hours of 240 rows 60 times a second), until the row changes again or the next repaint. At a multiple of 4. */
     void *memory;
     uint32_t memory_size;
     /* Unchanged rows between changed ones are sent too while they have no more bytes than this. 0: a window's bytes on

@@ -38,6 +38,7 @@ const struct panel_controller panel_ssd0323 = {
     .row = 0x75,
     .orient = 0xA0, /* lines interleaved 40, lines from below 10, left pixel high 02 */
     .turn = {0x52, 0x52, 0x52, 0x52},
+    .turning = PANEL_BY_SOFTWARE,
     .normal = 0xA4,
     .inverted = 0xA7,
 };

@@ -42,6 +42,7 @@ const struct panel_controller panel_ssd1351 = {
     .orient =
         0xA0, /* 16 bits 40, lines interleaved 20, lines from below 10, red first 04, columns back 02, down first 01 */
     .turn = {0x74, 0x65, 0x66, 0x77},
+    .turning = PANEL_GOES_DOWN,
     .bgr = 0x04,
     .normal = 0xA6,
     .inverted = 0xA7,

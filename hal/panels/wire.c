@@ -45,8 +45,7 @@ int wire_window(struct panel *panel, uint32_t x, uint32_t y, uint32_t width, uin
     uint32_t x1 = x + panel->left, y1 = y + panel->top, x2 = x1 + width - 1, y2 = y1 + height - 1;
     if (controller->format == HAL_GREY4)
         x1 /= 2, x2 /= 2;
-    /* Without MV the controller goes down columns first, but a window's columns stay the memory's. */
-    int exchanged = (panel->turns & 1) && !controller->swaps && controller->turn[0] != controller->turn[1];
+    int exchanged = (panel->turns & 1) && controller->turning == PANEL_GOES_DOWN;
     int error = wire_range(panel, exchanged ? controller->row : controller->column, x1, x2);
     if (!error)
         error = wire_range(panel, exchanged ? controller->column : controller->row, y1, y2);
