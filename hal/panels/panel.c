@@ -150,8 +150,9 @@ static int panel_flush(struct hal_display *display, const void *pixels, uint16_t
             first = panel->next == y && row <= gap ? 0 : row;
         end = row + unit;
     }
-    return first == end ? 0
-                        : panel_send(panel, (const uint8_t *)pixels + first * stride, y + first, end - first, stride);
+    if (first == end)
+        return panel->bus->ops->wait(panel->bus); /* for the band before: its pixels are the caller's again */
+    return panel_send(panel, (const uint8_t *)pixels + first * stride, y + first, end - first, stride);
 }
 
 static int panel_end(struct hal_display *display)
