@@ -11,8 +11,8 @@
 #define CR0_BITS(bits) ((uint32_t)(bits)-1u)
 #define CR1_ENABLE     2u
 #define DMACR_TRANSMIT 2u
-#define PWM_LEVELS     254u /* the highest count, so that level 255 is always on */
-#define TEARING_US     20000u
+#define PWM_LEVELS     254u   /* the highest count, so that level 255 is always on */
+#define TEARING_US     26000u /* a picture of the slowest usual rate, 39 Hz */
 
 static void bus_frames(unsigned bits)
 {

@@ -2,7 +2,7 @@
 # The RP2040 board on npm's rp2040js, a program that others wrote; what stands on the panel's wires is compared.
 include boards/picosystem/board.mk
 
-PANEL_SCENES := torus288 torus800 teapot896 bench-torus4000
+PANEL_SCENES := demo torus288 torus800 sphere690 bench-torus4000
 PANEL_C := tests/device/rp2040/panel.c tests/device/program.c $(SCENE_DIR)/panel_list.c $(PANEL_SCENES:%=$(SCENE_DIR)/%.c)
 PANEL_ELF := $(BUILD)/picosystem/panel.elf
 RP2040JS := $(BUILD)/node

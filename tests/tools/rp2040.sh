@@ -8,26 +8,35 @@ image=$3
 out=$(dirname "$image")
 status=0
 
-same() { # scene, method, tables, rows a band
-    local name=$1-$2-$3-$4 file=tests/scenes/$1.json figures
+# SCENE METHOD TABLES ROWS ROTATION MS, as tests/device/rp2040/panel.c takes them: pictures at 0 and at MS
+same() {
+    local name=$1-$2-$3-$4-$5-$6 file=tests/scenes/$1.json figures good=1
     [ -f "$file" ] || file=tests/golden/$1.json
-    "$glint" render "$file" --method "$2" --tables "$3" --size 240x240 --format rgb565 --output-format raw \
-        -o "$out/$name-host.raw" || status=1
-    figures=$(node tests/device/rp2040/run.mjs "$modules" "$image" "$1 $2 $3 $4" "$out/$name")
-    if [ $? -eq 0 ] && cmp "$out/$name.raw" "$out/$name-host.raw"; then
+    figures=$(node tests/device/rp2040/run.mjs "$modules" "$image" "$*" "$out/$name") || good=0
+    desktop "$file" "$2" "$3" 0 "$out/$name-first" || good=0
+    desktop "$file" "$2" "$3" "$6" "$out/$name" || good=0
+    if [ $good = 1 ]; then
         echo "ok rp2040: $figures"
     else
-        echo "FAIL rp2040: the picture on the wires of $name is not the desktop's: $figures"
+        echo "FAIL rp2040: the pictures on the wires of $name are not the desktop's: $figures"
         status=1
     fi
 }
 
-same torus800 x 1 24
-same torus800 x 1 7
-same torus800 x 0 24
-same torus800 gouraud 0 24
-same torus288 x 1 24
-same torus288 phong 0 16
-same teapot896 x 1 24
-same bench-torus4000 x 1 24
+desktop() { # scene file, method, tables, moment, the device's picture
+    "$glint" render "$1" --method "$2" --tables "$3" --time "$4" --size 240x240 --format rgb565 --output-format raw \
+        -o "$5-desktop.raw" && cmp "$5.raw" "$5-desktop.raw"
+}
+
+for turn in 0 90 180 270; do
+    same demo x 4 24 $turn 300
+done
+same demo phong 0 15 0 300
+same torus800 x 1 24 0 0
+same torus800 x 1 7 0 0
+same torus800 x 0 24 0 0
+same torus800 gouraud 0 24 0 0
+same torus288 x 1 24 0 0
+same sphere690 x 1 24 0 0
+same bench-torus4000 x 1 24 0 0
 exit $status

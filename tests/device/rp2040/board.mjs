@@ -4,9 +4,9 @@
 import fs from 'node:fs';
 
 const FLASH = 0x10000000, BOOT2_AT = 0x20041f00;
-const PIN = {reset: 4, cs: 5, sck: 6, mosi: 7, dc: 9, backlight: 12};
+const PIN = {reset: 4, cs: 5, sck: 6, mosi: 7, tearing: 8, dc: 9, backlight: 12};
 export const BUTTON = {Y: 16, X: 17, A: 18, B: 19, down: 20, right: 21, left: 22, up: 23};
-const FUNCTION_SPI = 1;
+const FUNCTION_SPI = 1, FUNCTION_PWM = 4;
 
 // Blocks of 512 bytes; all of one file must be there, and be for this chip.
 export function flashFromUf2(path) {
@@ -40,12 +40,14 @@ export class Board {
         this.clock = this.mcu.clock;
         this.panel = panel;
         this.faults = [];
+        this.onLine = () => {};
         this.lines = []; // of UART0: text, and the cycles at their first and last byte
         const note = (name, text) => this.fault(`${name}: ${text}`);
         this.mcu.logger = {debug() {}, info() {}, warn: note, error: note};
         for (const pin of Object.values(BUTTON)) this.mcu.gpio[pin].setInputValue(true);
         this.mcu.gpio[PIN.reset].addListener((level) => panel.reset(level === 1, this.clock.nanos));
         this.wireSpi();
+        this.wireTearing();
         this.wireUart();
     }
 
@@ -77,6 +79,22 @@ export class Board {
         };
     }
 
+    wireTearing() {
+        const {mcu, clock, panel} = this, pin = mcu.gpio[PIN.tearing];
+        const turn = clock.createAlarm(() => {
+            const high = !pin.rawInputValue, {high: rest, low: scan} = panel.tearingNanos;
+            pin.setInputValue(high && panel.tearing);
+            turn.schedule(high ? rest : scan);
+        });
+        turn.schedule(0);
+    }
+
+    // The share of its time that the backlight is on.
+    get backlight() {
+        const pin = this.mcu.gpio[PIN.backlight], slice = this.mcu.pwm.channels[PIN.backlight >> 1 & 7];
+        return pin.functionSelect === FUNCTION_PWM && slice.csr & 1 ? Math.min(1, (slice.cc & 0xffff) / (slice.top + 1)) : 0;
+    }
+
     wireUart() {
         let text = '', begin = 0;
         this.mcu.uart[0].onByte = (byte) => {
@@ -86,6 +104,7 @@ export class Board {
                 return;
             }
             this.lines.push({text, begin, end: this.cycles});
+            this.onLine(text);
             text = '';
         };
     }

@@ -2,11 +2,11 @@
 // The ST7789's side of the wires, by its datasheet's command set: what a 240x240 glass on its 240x320 memory shows.
 // Times are in nanoseconds; what the datasheet forbids is noted in `faults`.
 
-const COLUMNS = 240, ROWS = 320;
+const COLUMNS = 240, ROWS = 320, SIDE = 240;
 const MY = 0x80, MX = 0x40, MV = 0x20, BGR = 0x08;
 const MS = 1e6;
 const NAMES = {NOP: 0x00, SWRESET: 0x01, SLPIN: 0x10, SLPOUT: 0x11, INVOFF: 0x20, INVON: 0x21, DISPOFF: 0x28, DISPON: 0x29,
-    CASET: 0x2a, RASET: 0x2b, RAMWR: 0x2c, TEOFF: 0x34, TEON: 0x35, MADCTL: 0x36, COLMOD: 0x3a, RAMWRC: 0x3c};
+    CASET: 0x2a, RASET: 0x2b, RAMWR: 0x2c, TEOFF: 0x34, TEON: 0x35, MADCTL: 0x36, PORCTRL: 0xb2, FRCTRL2: 0xc6, COLMOD: 0x3a, RAMWRC: 0x3c};
 // Parameters of the other commands, which set voltages and timing: only their number is checked.
 const TUNING = {0xb2: 5, 0xb7: 1, 0xbb: 1, 0xc0: 1, 0xc2: 1, 0xc3: 1, 0xc4: 1, 0xc6: 1, 0xd0: 2, 0xe0: 14, 0xe1: 14};
 
@@ -20,7 +20,8 @@ export class St7789 {
     }
 
     defaults() {
-        Object.assign(this, {asleep: true, on: false, inverted: false, tearing: false, madctl: 0, colmod: 0x66, command: -1,
+        Object.assign(this, {asleep: true, on: false, inverted: false, tearing: false, madctl: 0, colmod: 0x66,
+            porches: 24, rate: 0x0f, command: -1,
             parameters: [], columns: [0, COLUMNS - 1], rows: [0, ROWS - 1], x: 0, y: 0, half: -1, held: false});
     }
 
@@ -81,6 +82,8 @@ export class St7789 {
         if (this.command === NAMES.MADCTL) this.madctl = value;
         else if (this.command === NAMES.COLMOD) this.colmod = value;
         else if (this.command === NAMES.TEON) this.tearing = true;
+        else if (this.command === NAMES.PORCTRL && p.length === 2) this.porches = p[0] + p[1];
+        else if (this.command === NAMES.FRCTRL2) this.rate = value & 0x1f;
         else if ((this.command === NAMES.CASET || this.command === NAMES.RASET) && p.length === 4) {
             const across = (this.command === NAMES.CASET) !== !!(this.madctl & MV);
             const window = [p[0] << 8 | p[1], p[2] << 8 | p[3]];
@@ -110,13 +113,25 @@ export class St7789 {
         }
     }
 
+    // The glass is scanned line after line from the memory, then rests for the porches: the tearing signal.
+    get lineNanos() {
+        return (250 + 16 * this.rate) * 100;
+    }
+
+    get tearingNanos() {
+        return {high: this.porches * this.lineNanos, low: ROWS * this.lineNanos};
+    }
+
     // What the glass shows, RGB565. Its liquid crystal is dark without voltage: a true picture needs INVON.
-    picture(width = 240, height = 240) {
-        const shown = new Uint16Array(width * height);
+    // Looked at with the glass turned clockwise by that many degrees.
+    picture(turn = 0) {
+        const shown = new Uint16Array(SIDE * SIDE), last = SIDE - 1;
         if (this.asleep || !this.on) return shown;
-        for (let y = 0; y < height; y++)
-            for (let x = 0; x < width; x++)
-                shown[y * width + x] = this.memory[y * COLUMNS + x] ^ (this.inverted ? 0 : 0xffff);
+        for (let y = 0; y < SIDE; y++)
+            for (let x = 0; x < SIDE; x++) {
+                const [gx, gy] = {0: [x, y], 90: [y, last - x], 180: [last - x, last - y], 270: [last - y, x]}[turn];
+                shown[y * SIDE + x] = this.memory[gy * COLUMNS + gx] ^ (this.inverted ? 0 : 0xffff);
+            }
         return shown;
     }
 }
