@@ -151,7 +151,7 @@ static int panel_flush(struct hal_display *display, const void *pixels, uint16_t
         end = row + unit;
     }
     if (first == end)
-        return panel->bus->ops->wait(panel->bus); /* for the band before: its pixels are the caller's again */
+        return panel->bus->ops->wait(panel->bus); /* the band before is the caller's again */
     return panel_send(panel, (const uint8_t *)pixels + first * stride, y + first, end - first, stride);
 }
 
