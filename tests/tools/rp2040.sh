@@ -28,11 +28,21 @@ desktop() { # scene file, method, tables, moment, the device's picture
         -o "$5-desktop.raw" && cmp "$5.raw" "$5-desktop.raw"
 }
 
+# The ROM refuses a second stage of which one bit is wrong.
+printf '\001' | cat <(head -c 50 "$image") - <(tail -c +52 "$image") >"$out/damaged.uf2"
+message=$(node tests/device/rp2040/run.mjs "$modules" "$out/damaged.uf2" "" "$out/damaged" 2>&1)
+if [ $? -eq 3 ] && [[ $message == *"refuses the second stage"* ]]; then
+    echo "ok rp2040: a damaged second stage is not started"
+else
+    echo "FAIL rp2040: a damaged second stage: $message"
+    status=1
+fi
 for turn in 0 90 180 270; do
     same demo x 4 24 $turn 300
 done
 same demo phong 0 15 0 300
 same torus800 x 1 24 0 0
+same torus800 x 1 60 0 0
 same torus800 x 1 7 0 0
 same torus800 x 0 24 0 0
 same torus800 gouraud 0 24 0 0

@@ -124,6 +124,7 @@ export class Board {
         mcu.core.LR = 0;
         mcu.core.PC = BOOT2_AT;
         this.slept = 0;
+        this.counts = new Float64Array(flash.length / 2); // cycles by half-word of flash, while `counting`
     }
 
     // Of the system clock since boot, sleep included.
@@ -140,7 +141,11 @@ export class Board {
                     const nanos = Math.max(clock.nanosToNextAlarm, 1e9 / mcu.clkSys);
                     clock.tick(nanos);
                     this.slept += nanos * mcu.clkSys / 1e9;
-                } else clock.tick(core.executeInstruction() * 1e9 / mcu.clkSys);
+                } else {
+                    const at = core.PC - FLASH >>> 1, cycles = core.executeInstruction();
+                    if (this.counting) this.counts[at] += cycles;
+                    clock.tick(cycles * 1e9 / mcu.clkSys);
+                }
             }
             const ended = /^exit (\d)$/.exec(this.lines.at(-1)?.text ?? '');
             if (ended) return +ended[1];

@@ -6,11 +6,12 @@
 #include "boards/picosystem/board.h"
 #include "clock.h"
 #include "cortexm/machine.h"
+#include "input.h"
 #include "tests/device/program.h"
 
 #define SIZE       240u
 #define MEMORY     (160u * 1024u)
-#define BAND       (SIZE * 24u) /* pixels */
+#define BAND       (SIZE * 60u) /* pixels */
 #define WAIT_US    50000u
 #define LINE_BYTES 33u
 
@@ -102,9 +103,13 @@ int main(void)
     char line[LINE_BYTES], *at = line;
     struct panel *panel = picosystem_start();
     struct panel_job job = {0};
+    struct line buttons = {.length = 0};
     clock_wait_us(WAIT_US); /* for the line to come */
     if (machine_command_line(line, sizeof line) != 0)
         return 2;
+    line_text(&buttons, "buttons ");
+    line_hex(&buttons, input_buttons());
+    line_end(&buttons);
     const char *scene = panel_word(&at), *method = panel_word(&at);
     job.tables = text_number(panel_word(&at));
     job.rows = text_number(panel_word(&at));
