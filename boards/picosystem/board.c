@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "boards/picosystem/board.h"
+/* Pimoroni PicoSystem, https://shop.pimoroni.com/products/picosystem: RP2040, 16 MiB flash, ST7789 240x240. */
+#include "boards/board.h"
 #include "input.h"
+#include "panels/panel.h"
 #include "rp2040/rp2040.h"
 
 static const struct rp2040_button buttons[] = {
@@ -25,14 +27,30 @@ const struct rp2040_board rp2040_board = {
     .button_count = sizeof buttons / sizeof buttons[0],
 };
 
-struct panel *picosystem_start(void)
+#define SIZE      240u
+#define BAND_ROWS 60u            /* a band takes 28,800 bytes, its depth as many */
+#define MEMORY    (160u * 1024u) /* bytes: 4000 triangles with a table */
+
+static uint32_t board_band[2][SIZE * BAND_ROWS / 2], board_memory[MEMORY / 4], board_sums[SIZE];
+static struct panel board_panel = {.display.ops = &panel_display,
+                                   .controller = &panel_st7789,
+                                   .extra = {extra, sizeof extra},
+                                   .width = SIZE,
+                                   .height = SIZE,
+                                   .memory = board_sums,
+                                   .memory_size = sizeof board_sums};
+
+const struct board *board_start(void)
 {
-    static struct panel panel = {.display.ops = &panel_display,
-                                 .controller = &panel_st7789,
-                                 .extra = {extra, sizeof extra},
-                                 .width = 240,
-                                 .height = 240};
+    static const struct board board = {.display = &board_panel.display,
+                                       .width = SIZE,
+                                       .height = SIZE,
+                                       .band_rows = BAND_ROWS,
+                                       .format = HAL_RGB565,
+                                       .band = {board_band[0], board_band[1]},
+                                       .memory = board_memory,
+                                       .memory_bytes = sizeof board_memory};
     rp2040_start();
-    panel.bus = rp2040_bus();
-    return &panel;
+    board_panel.bus = rp2040_bus();
+    return &board;
 }

@@ -116,7 +116,7 @@ struct hal_bus *rp2040_bus(void)
     static const struct hal_bus_ops ops = {bus_write, bus_pixels, bus_wait, bus_reset, bus_backlight, bus_tearing};
     static struct hal_bus bus = {&ops};
     const struct rp2040_board *board = &rp2040_board;
-    rp2040_unreset(RESET_SPI0 | RESET_DMA | RESET_PWM);
+    rp2040_reset(RESET_SPI0 | RESET_DMA | RESET_PWM);
     if (board->backlight != RP2040_NO_PIN)
         bus_backlight_start(board->backlight);
     if (board->reset != RP2040_NO_PIN)

@@ -18,8 +18,9 @@
 #define PERI_ENABLE  (1u << 11)
 #define TICK_ENABLE  (1u << 9)
 
-void rp2040_unreset(uint32_t subsystems)
+void rp2040_reset(uint32_t subsystems)
 {
+    REG_SET(RESETS_RESET) = subsystems;
     REG_CLR(RESETS_RESET) = subsystems;
     while ((REG(RESETS_RESET_DONE) & subsystems) != subsystems)
         ;
@@ -43,8 +44,7 @@ void rp2040_clocks_start(void)
     clocks_select(CLK_SYS_CTRL, CLK_SYS_SELECTED, 0);
     clocks_select(CLK_REF_CTRL, CLK_REF_SELECTED, REF_CRYSTAL);
 
-    REG_SET(RESETS_RESET) = RESET_PLL_SYS;
-    rp2040_unreset(RESET_PLL_SYS);
+    rp2040_reset(RESET_PLL_SYS);
     REG(PLL_SYS_CS) = 1;
     REG(PLL_SYS_FBDIV) = PLL_FEEDBACK;
     REG_CLR(PLL_SYS_PWR) = PLL_OFF | PLL_VCO_OFF;
@@ -62,7 +62,7 @@ void rp2040_clocks_start(void)
 void rp2040_start(void)
 {
     rp2040_clocks_start();
-    rp2040_unreset(RESET_IO_BANK0 | RESET_PADS_BANK0);
+    rp2040_reset(RESET_IO_BANK0 | RESET_PADS_BANK0);
     rp2040_timer_start();
     rp2040_uart_start();
     rp2040_buttons_start();

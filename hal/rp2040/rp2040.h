@@ -42,8 +42,8 @@ void rp2040_uart_start(void);
 void rp2040_timer_start(void);
 void rp2040_buttons_start(void);
 
-/* Brings subsystems out of reset: RESET_ bits. */
-void rp2040_unreset(uint32_t subsystems);
+/* Resets subsystems (RESET_ bits), whatever ran before, and lets them go. */
+void rp2040_reset(uint32_t subsystems);
 /* Gives a pin a function (enum pin_function) and its pad's bits. */
 void rp2040_pin(unsigned pin, unsigned function, uint32_t pad);
 /* Makes a pin an output at that level. */

@@ -30,7 +30,7 @@ __attribute__((aligned(256))) static const void *const timer_vectors[16 + INTERR
 
 void rp2040_timer_start(void)
 {
-    rp2040_unreset(RESET_TIMER);
+    rp2040_reset(RESET_TIMER);
     REG(SCB_VTOR) = (uint32_t)(uintptr_t)timer_vectors;
     REG(TIMER_INTE) = ALARM;
     REG(NVIC_ENABLE) = TIMER_IRQ_0;

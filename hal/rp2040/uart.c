@@ -11,7 +11,7 @@
 
 void rp2040_uart_start(void)
 {
-    rp2040_unreset(RESET_UART0);
+    rp2040_reset(RESET_UART0);
     rp2040_pin(rp2040_board.uart_tx, PIN_UART, PAD_INPUT | PAD_DRIVE_4MA);
     rp2040_pin(rp2040_board.uart_rx, PIN_UART, PAD_INPUT | PAD_PULL_UP | PAD_SCHMITT);
     REG(UART_IBRD) = BAUD_WHOLE;

@@ -11,11 +11,11 @@ $(SCENE_DIR)/panel_list.c: tests/tools/scene_list.sh tests/tools/rp2040.mk
 	@mkdir -p $(@D)
 	$(Q)tests/tools/scene_list.sh $(PANEL_SCENES) >$@
 
-$(PANEL_ELF): $(patsubst %.c,$(BUILD)/m0plus/%.o,$(PANEL_C) $(PICOSYSTEM_HAL)) $(ARM_OBJ_m0plus) $(RP2040_BOOT2) \
-		$(PICOSYSTEM_LINK) boards/cortexm.ld
+$(PANEL_ELF): $(patsubst %.c,$(BUILD)/m0plus/%.o,$(PANEL_C) $(HAL_picosystem)) $(ARM_OBJ_m0plus) $(RP2040_BOOT2) \
+		boards/picosystem/link.ld boards/cortexm.ld
 	$(call say,LINK,$@)
 	@mkdir -p $(@D)
-	$(Q)$(ARM)gcc $(CPU_m0plus) $(ARM_LINK) -T $(PICOSYSTEM_LINK) -Wl,-Map=$(@:.elf=.map) $(filter %.o,$^) -lgcc -o $@
+	$(Q)$(ARM)gcc $(CPU_m0plus) $(ARM_LINK) -T boards/picosystem/link.ld -Wl,-Map=$(@:.elf=.map) $(filter %.o,$^) -lgcc -o $@
 
 suite-rp2040: $(PANEL_ELF:.elf=.uf2) $(GLINT)
 	@tests/tools/rp2040js.sh $(RP2040JS) && tests/tools/rp2040.sh $(GLINT) $(RP2040JS) $<

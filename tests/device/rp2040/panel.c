@@ -3,21 +3,15 @@
  * Shows a scene's first picture whole and a later one by its changed rows, and says on the UART when each begins and
  * ends. The line "SCENE METHOD TABLES ROWS ROTATION MS" on the UART says what.
  */
-#include "boards/picosystem/board.h"
+#include "panels/panel.h"
+#include "boards/board.h"
 #include "clock.h"
 #include "cortexm/machine.h"
 #include "input.h"
 #include "tests/device/program.h"
 
-#define SIZE       240u
-#define MEMORY     (160u * 1024u)
-#define BAND       (SIZE * 60u) /* pixels */
 #define WAIT_US    50000u
 #define LINE_BYTES 33u
-
-static uint32_t panel_memory[MEMORY / 4];
-static uint16_t panel_bands[2][BAND];
-static uint32_t panel_rows[SIZE];
 
 int main(void);
 
@@ -52,30 +46,29 @@ static int panel_frame(struct glint_frame *frame, const struct panel_job *job, u
     return error;
 }
 
-static int panel_init(struct glint_frame *frame, const struct panel_job *job)
+static int panel_init(struct glint_frame *frame, const struct panel_job *job, const struct board *board)
 {
-    struct glint_config config = {.width = SIZE, .height = SIZE, .format = GLINT_RGB565};
-    if (job->rows > BAND / SIZE || glint_scene_check(job->scene->blob, *job->scene->length) != 0)
+    struct glint_config config = {.width = board->width, .height = board->height, .format = board->format};
+    if (job->rows > board->band_rows || glint_scene_check(job->scene->blob, *job->scene->length) != 0)
         return -1;
     glint_fit_stores(&config, job->scene->blob);
     config.band_rows = (uint16_t)job->rows;
     config.method = job->method;
     config.tables = (uint8_t)job->tables;
-    config.band[0] = panel_bands[0];
-    config.band[1] = panel_bands[1];
-    config.memory = panel_memory;
-    config.memory_bytes = sizeof panel_memory;
+    config.band[0] = board->band[0];
+    config.band[1] = board->band[1];
+    config.memory = board->memory;
+    config.memory_bytes = board->memory_bytes;
     return glint_init(frame, &config);
 }
 
-static int panel_run(const struct panel_job *job, struct panel *panel)
+static int panel_run(const struct panel_job *job, const struct board *board)
 {
-    struct hal_display *display = &panel->display;
+    struct hal_display *display = board->display;
     struct glint_frame frame;
-    panel->rotation = (uint16_t)job->rotation;
-    panel->memory = panel_rows;
-    panel->memory_size = sizeof panel_rows;
-    if (panel_init(&frame, job) != 0 || display->ops->open(display, SIZE, SIZE, HAL_RGB565) != 0)
+    ((struct panel *)display)->rotation = (uint16_t)job->rotation;
+    if (panel_init(&frame, job, board) != 0 ||
+        display->ops->open(display, board->width, board->height, HAL_RGB565) != 0)
         return 2;
     /* The first makes the colour tables too. */
     if (panel_frame(&frame, job, 0, 0) != 0 || panel_frame(&frame, job, job->time_ms, 0) != 0 ||
@@ -101,7 +94,7 @@ static char *panel_word(char **at)
 int main(void)
 {
     char line[LINE_BYTES], *at = line;
-    struct panel *panel = picosystem_start();
+    const struct board *board = board_start();
     struct panel_job job = {0};
     struct line buttons = {.length = 0};
     clock_wait_us(WAIT_US); /* for the line to come */
@@ -121,5 +114,5 @@ int main(void)
     for (unsigned m = 0; m < glint_choice_count; m++)
         if (text_equal(method, glint_choices[m].name))
             job.method = glint_choices[m].method;
-    return job.scene && job.method ? panel_run(&job, panel) : 2;
+    return job.scene && job.method ? panel_run(&job, board) : 2;
 }
