@@ -37,6 +37,22 @@ else
     echo "FAIL rp2040: a damaged second stage: $message"
     status=1
 fi
+# Flashing: a volume that is the ROM's takes the file, another does not, and nothing happens in a dry run.
+volume=$out/volume
+rm -rf "$volume" && mkdir -p "$volume"
+RP2040_VOLUME=$volume PATH=/usr/bin:/bin hal/rp2040/flash.sh "$image" >/dev/null 2>"$out/flash.txt"
+none=$?
+printf 'Board-ID: RPI-RP2\n' >"$volume/INFO_UF2.TXT"
+DRY_RUN=1 RP2040_VOLUME=$volume hal/rp2040/flash.sh "$image" >/dev/null
+left=$(ls "$volume")
+RP2040_VOLUME=$volume hal/rp2040/flash.sh "$image" >/dev/null
+if [ $none -eq 3 ] && grep -q 'no volume RPI-RP2' "$out/flash.txt" && [ "$left" = INFO_UF2.TXT ] &&
+    cmp "$image" "$volume/$(basename "$image")"; then
+    echo "ok rp2040: an image goes to the board's volume, and nowhere else"
+else
+    echo "FAIL rp2040: flashing (status $none without a board, then '$left')"
+    status=1
+fi
 for turn in 0 90 180 270; do
     same demo x 4 24 $turn 300
 done
