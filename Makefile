@@ -51,7 +51,7 @@ demo: deps-demo ## Render the demo (or SCENE=file) into build/demo/
 	$(Q)$(GLINT) demo '$(SCENE)' '$(BUILD)/demo'
 
 test: deps-test ## Run every test; the last line counts them
-	$(Q)tests/tools/run.sh unit cli models core golden device docs sanitize bench
+	$(Q)tests/tools/run.sh unit cli models core golden device rp2040 docs sanitize bench
 
 test-unit: deps-test ## Unit tests
 	$(Q)tests/tools/run.sh unit
@@ -70,6 +70,9 @@ test-golden: deps-test ## The one list of picture hashes: every compiler, level 
 
 test-device: deps-test ## The same list on emulated Cortex-M0, M0+, M3 and M4
 	$(Q)tests/tools/run.sh device
+
+test-rp2040: deps-test ## Frames on the display wires of an emulated PicoSystem, and their cycles
+	$(Q)tests/tools/run.sh rp2040
 
 test-sanitize: deps-test ## Unit tests, command line and hashes under clang's sanitizers; firmware/ and hal/ under integer too
 	$(Q)tests/tools/run.sh sanitize
@@ -159,8 +162,9 @@ $(BUILD)/tests/%: tests/%.c $(HOST_LIB) $(CORE_LIB)
 
 include tests/tools/arm.mk
 include tests/tools/suites.mk
+include tests/tools/rp2040.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
-.PHONY: all tool demo test test-unit test-cli test-models test-core test-golden test-device test-sanitize test-exhaustive \
+.PHONY: all tool demo test test-unit test-cli test-models test-core test-golden test-device test-rp2040 test-sanitize test-exhaustive \
 	bench bench-setup report figures profile size stack golden lint format check-format deps deps-demo deps-test clean help
