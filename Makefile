@@ -158,6 +158,7 @@ $(BUILD)/tests/%: tests/%.c $(HOST_LIB) $(CORE_LIB)
 		$(HOST_LIB) $(CORE_LIB) $(PACKAGE_LIBS) $(CMOCKA_LIBS) -lpthread -lm -o $@
 
 include tests/tools/arm.mk
+include tests/tools/boards.mk
 include tests/tools/suites.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)

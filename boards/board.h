@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT */
+/* What a board gives to the program in firmware/app. A board is a folder here whose board.c has the one function. */
+#ifndef BOARD_H
+#define BOARD_H
+
+#include "display.h"
+
+struct board {
+    struct hal_display *display; /* not yet open */
+    uint16_t width, height;      /* of the picture, in pixels */
+    uint16_t band_rows;
+    uint8_t format; /* enum hal_pixel_format: RGB565 or GREY4 */
+    uint8_t dither; /* 1: ordered dither */
+    void *band[2];  /* band_rows rows of the format each, aligned to 4 */
+    void *memory;   /* the renderer's, aligned to 4 */
+    uint32_t memory_bytes;
+};
+
+/* Starts clocks, pins, time, keys and the serial line. Called once, first. */
+const struct board *board_start(void);
+
+#endif
