@@ -2,13 +2,21 @@
 #include "boards/lm3s6965evb/board.h"
 #include "boards/board.h"
 #include "input.h"
-#include "oled.h"
+#include "panels/panel.h"
 
 const struct lm3s_key lm3s_keys[] = {BOARD_KEYS, {{0, 0}, 0}};
 
 static uint32_t board_band[2][BOARD_BAND_ROWS * BOARD_WIDTH / 2 / 4], board_memory[BOARD_MEMORY / 4];
 static struct lm3s_bus board_bus;
-static struct oled board_oled = {{&oled_display}, &board_bus.bus};
+static uint32_t board_rows[BOARD_HEIGHT]; /* checksums of the rows on show */
+static struct panel board_oled = {.display.ops = &panel_display,
+                                  .controller = &panel_ssd0323,
+                                  .bus = &board_bus.bus,
+                                  .width = BOARD_WIDTH,
+                                  .height = BOARD_HEIGHT,
+                                  .refresh = BOARD_OLED_REFRESH,
+                                  .memory = board_rows,
+                                  .memory_size = sizeof board_rows};
 
 const struct board *board_start(void)
 {

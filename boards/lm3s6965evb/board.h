@@ -22,6 +22,8 @@
 #define BOARD_OLED_DIVIDER 2
 #define BOARD_OLED_RATE    6
 
+#define BOARD_OLED_REFRESH 600 /* pictures: all its registers anew every 10 s */
+
 #define BOARD_WIDTH     128
 #define BOARD_HEIGHT    64
 #define BOARD_BAND_ROWS 16

@@ -154,6 +154,9 @@ int main(void)
     }
     state.app.method = main_first_method();
     show_ready(&state.app);
+    /* what is held at the start is no press, and its release means nothing */
+    state.held = input_buttons();
+    state.chord = 1;
     state.last_us = state.window_us = clock_us();
     for (int changed = 1;; changed = main_buttons(&state)) {
         uint32_t now = clock_us();

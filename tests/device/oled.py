@@ -73,7 +73,7 @@ class Oled:
         event = {"type": "key", "data": {"down": down, "key": {"type": "qcode", "data": KEYS[name]}}}
         self.qmp("input-send-event", events=[event])
 
-    def press(self, *names):
+    def press(self, *names, wait=True):
         """Presses keys one after the other, releases them in reverse order; returns the line that answers."""
         for name in names:
             self.key(name, True)
@@ -81,7 +81,7 @@ class Oled:
         for name in reversed(names):
             self.key(name, False)
             time.sleep(.1)
-        return self.line()
+        return self.line(10) if wait else None
 
     def screen(self):
         """The OLED's pixels as 0..255, row by row; an AssertionError if a pixel is not one grey square."""
