@@ -89,9 +89,9 @@ def damaged():
     """One bit of the first scene's blob is turned over."""
     with open(image, "rb") as file:
         data = bytearray(file.read())
-    at = data.find(b"GLT1")
-    while struct.unpack_from("<I", data, at + 8)[0] != 6892 - 4 and struct.unpack_from("<H", data, at + 4)[0] != 1:
-        at = data.find(b"GLT1", at + 1)
+    at = data.find(b"GLT1")  # then version, 0 and length; the same word also stands in the code that checks it
+    while struct.unpack_from("<HH", data, at + 4) != (1, 0) or struct.unpack_from("<I", data, at + 8)[0] > 1 << 16:
+        at = data.index(b"GLT1", at + 1)
     data[at + 400] ^= 1
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "damaged.elf")

@@ -16,3 +16,16 @@ $(BUILD)/$(1)/app.elf: $$(patsubst %.c,$(BUILD)/$(1)/%.o,$$(APP_SRC) $$(HAL_$(1)
 	$$(Q)$$(ARM)gcc $$(CPU_$(1)) $$(ARM_LINK) -T boards/$(1)/link.ld -Wl,-Map=$$(@:.elf=.map) $$(filter %.o,$$^) -lgcc -o $$@
 endef
 $(foreach b,$(BOARDS),$(eval $(call board_rules,$(b))))
+
+# With a screen in QEMU's window; else three seconds, and then a picture of what the panel shows.
+BOARD_ELF := $(BUILD)/$(BOARD)/app.elf
+board-image: $(if $(BOARD),$(BOARD_ELF))
+	@[ -n "$(filter $(BOARD),$(BOARDS))" ] || { echo "give BOARD=, one of: $(BOARDS)" >&2; exit 2; }
+	@$(ARM)size $(BOARD_ELF)
+
+board-run: board-image
+	@if [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ]; then \
+		echo "the board's keys: arrows, and Ctrl for A"; qemu-system-arm $(QEMU_$(BOARD)) -serial stdio -kernel $(BOARD_ELF); \
+	else python3 tests/device/oled.py $(BOARD_ELF) $(BUILD)/$(BOARD)/screen.png; fi
+
+.PHONY: board-image board-run
