@@ -75,7 +75,7 @@ static void show_words(const struct app *app, const struct glint_band *band, con
     while (*text) {
         struct text_line line = {.length = 0};
         unsigned length = 0, end = 0;
-        for (; text[length] && length < columns && length < sizeof line.text - 1; length++)
+        for (; length < columns && length < sizeof line.text - 1 && text[length]; length++)
             if (text[length] == ' ')
                 end = length;
         end = !text[length] || end == 0 ? length : end;

@@ -48,9 +48,9 @@ void lm3s_clock_start(void)
         ;
     if (CLOCK_RIS & RIS_PLL_LOCKED)
         CLOCK_RCC = rcc & ~RCC_BYPASS;
-    CLOCK_RCGC1 |= 1u << 0 | 1u << 4; /* UART0, SSI0 */
-    CLOCK_RCGC2 |= 0x3fu;             /* ports A to F */
-    (void)CLOCK_RCGC2;                /* three cycles until a block may be touched */
+    CLOCK_RCGC1 |= 1u << 4; /* SSI0 */
+    CLOCK_RCGC2 |= 0x3fu;   /* ports A to F */
+    (void)CLOCK_RCGC2;      /* three cycles until a block may be touched */
     (void)CLOCK_RCGC2;
 
     SYSTICK_RELOAD = CLOCK_TICKS_MS - 1;

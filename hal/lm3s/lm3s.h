@@ -27,7 +27,7 @@ struct lm3s_pins {
     uint32_t mask;
 };
 
-/* The CPU to LM3S_HZ from a crystal of 8 MHz, all blocks that this folder uses on, and time running. First of all. */
+/* The CPU to LM3S_HZ from a crystal of 8 MHz, SSI0 and the ports on, and time running. First of all. */
 void lm3s_clock_start(void);
 
 /* Their levels: the data register's address masks the pins (data sheet 8.2.1.2). */

@@ -10,6 +10,11 @@
 #define UART_LINE     LM3S_REGISTER(LM3S_UART0, 0x02C)
 #define UART_CONTROL  LM3S_REGISTER(LM3S_UART0, 0x030)
 
+#define UART_RCGC1 LM3S_REGISTER(LM3S_SYSTEM, 0x104)
+#define UART_RCGC2 LM3S_REGISTER(LM3S_SYSTEM, 0x108)
+
+#define RCGC1_UART0   (1u << 0)
+#define RCGC2_PORT_A  (1u << 0)
 #define FLAG_BUSY     (1u << 3)
 #define FLAG_FULL     (1u << 5)
 #define LINE_8N1_FIFO 0x70u
@@ -21,6 +26,10 @@
 
 void lm3s_uart_start(void)
 {
+    UART_RCGC1 |= RCGC1_UART0;
+    UART_RCGC2 |= RCGC2_PORT_A;
+    (void)UART_RCGC2; /* three cycles until a block may be touched */
+    (void)UART_RCGC2;
     lm3s_pins_alternate((struct lm3s_pins){LM3S_GPIOA, 3});
     UART_CONTROL = 0;
     UART_INTEGER = UART_DIVISOR / 64;
@@ -31,7 +40,7 @@ void lm3s_uart_start(void)
 
 void machine_write(const char *text)
 {
-    if ((UART_CONTROL & CONTROL_ON) != CONTROL_ON)
+    if (!(UART_RCGC1 & RCGC1_UART0))
         lm3s_uart_start();
     for (; *text; text++) {
         while (UART_FLAGS & FLAG_FULL)

@@ -85,32 +85,54 @@ def pictures():
         verdict("steps of 100 ms forth and back", None if good else f"{moments}")
 
 
-def damaged():
-    """One bit of the first scene's blob is turned over."""
+def altered(folder, change):
+    """A copy of the image with `change` made to its bytes."""
     with open(image, "rb") as file:
         data = bytearray(file.read())
-    at = data.find(b"GLT1")  # then version, 0 and length; the same word also stands in the code that checks it
+    change(data)
+    path = os.path.join(folder, "altered.elf")
+    with open(path, "wb") as file:
+        file.write(data)
+    return path
+
+
+def turn_scene_bit(data):
+    # magic, then version, 0 and length; the same word also stands in the code that checks it
+    at = data.find(b"GLT1")
     while struct.unpack_from("<HH", data, at + 4) != (1, 0) or struct.unpack_from("<I", data, at + 8)[0] > 1 << 16:
         at = data.index(b"GLT1", at + 1)
     data[at + 400] ^= 1
-    with tempfile.TemporaryDirectory() as folder:
-        path = os.path.join(folder, "damaged.elf")
-        with open(path, "wb") as file:
-            file.write(data)
-        with Oled(path) as oled:
-            line = oled.line()
-            verdict(f"a damaged scene is told on the serial line: {line}",
-                    None if line and line.startswith("error ") else f"{line!r}")
-            prime(oled)
-            shown = levels(oled.screen())
-            verdict("and on the screen, in black and white",
-                    None if set(shown) == {0, 15} and shown.count(15) > 50 else f"{sorted(set(shown))}")
-            told = line.split()[1].rstrip(":") if line else None
-            lines = [oled.press("a"), oled.press("a", "up"), oled.press("right")]
-            verdict(f"the next scene is drawn: {lines[-1]}",
-                    compare(oled, lines[-1]) if lines[-1] and lines[-1].split()[1] != told else f"{lines}")
+
+
+def start_undefined(data):
+    # the first segment lies at address 0; its first instruction to run becomes an undefined one
+    entry, header = struct.unpack_from("<II", data, 24)
+    struct.pack_into("<H", data, struct.unpack_from("<I", data, header + 4)[0] + (entry & ~1), 0xDE00)
+
+
+def fault():
+    with tempfile.TemporaryDirectory() as folder, Oled(altered(folder, start_undefined)) as oled:
+        line = oled.line(10)
+        verdict(f"a fault is told on the serial line: {line}", None if line and line.startswith("fault ") else f"{line!r}")
+
+
+def damaged():
+    """One bit of the first scene's blob is turned over."""
+    with tempfile.TemporaryDirectory() as folder, Oled(altered(folder, turn_scene_bit)) as oled:
+        line = oled.line()
+        verdict(f"a damaged scene is told on the serial line: {line}",
+                None if line and line.startswith("error ") else f"{line!r}")
+        prime(oled)
+        shown = levels(oled.screen())
+        verdict("and on the screen, in black and white",
+                None if set(shown) == {0, 15} and shown.count(15) > 50 else f"{sorted(set(shown))}")
+        told = line.split()[1].rstrip(":") if line else None
+        lines = [oled.press("a"), oled.press("a", "up"), oled.press("right")]
+        verdict(f"the next scene is drawn: {lines[-1]}",
+                compare(oled, lines[-1]) if lines[-1] and lines[-1].split()[1] != told else f"{lines}")
 
 
 pictures()
 damaged()
+fault()
 sys.exit(failed != 0)

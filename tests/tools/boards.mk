@@ -19,7 +19,7 @@ $(foreach b,$(BOARDS),$(eval $(call board_rules,$(b))))
 
 # With a screen in QEMU's window; else three seconds, and then a picture of what the panel shows.
 BOARD_ELF := $(BUILD)/$(BOARD)/app.elf
-board-image: $(if $(BOARD),$(BOARD_ELF))
+board-image: $(if $(filter $(BOARD),$(BOARDS)),$(BOARD_ELF))
 	@[ -n "$(filter $(BOARD),$(BOARDS))" ] || { echo "give BOARD=, one of: $(BOARDS)" >&2; exit 2; }
 	@$(ARM)size $(BOARD_ELF)
 
