@@ -122,6 +122,12 @@ deps-demo: ## Install what building the tool needs: `make deps-demo all` in a CI
 deps-demo deps-test:
 	$(Q)tests/tools/deps.sh $(@:deps-%=%)
 
+image: deps-test ## The handheld's program for BOARD=lm3s6965evb: build/<board>/app.elf
+	$(Q)$(MAKE) --no-print-directory board-image
+
+run: deps-test ## Run it on the emulated BOARD
+	$(Q)$(MAKE) --no-print-directory board-run
+
 clean: ## Remove the build folder
 	$(Q)rm -rf $(BUILD)
 
@@ -161,10 +167,11 @@ $(BUILD)/tests/%: tests/%.c $(HOST_LIB) $(CORE_LIB)
 		$(HOST_LIB) $(CORE_LIB) $(PACKAGE_LIBS) $(CMOCKA_LIBS) -lpthread -lm -o $@
 
 include tests/tools/arm.mk
+include tests/tools/boards.mk
 include tests/tools/suites.mk
 include tests/tools/rp2040.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
 .PHONY: all tool demo test test-unit test-cli test-models test-core test-golden test-device test-rp2040 test-sanitize test-exhaustive \
-	bench bench-setup report figures profile size stack golden lint format check-format deps deps-demo deps-test clean help
+	bench bench-setup report figures profile size stack golden lint format check-format deps deps-demo deps-test image run clean help
