@@ -44,7 +44,8 @@ extern const struct glint_method glint_phong;   /* normal interpolated and norma
 extern const struct glint_method glint_overveld;      /* van Overveld and Wyvill's, on every edge */
 extern const struct glint_method glint_overveld_scan; /* the same along edges, then along each row: a baseline */
 extern const struct glint_method glint_biquadratic;   /* Lee and Jen's, only on edges that have an inflection */
-/* The same, correct in perspective. */
+/* The same, correct in perspective. They divide by the 16-bit depth: put the near plane close to the scene (a
+ * hundredth of its distance costs up to 12/255 in highlights). */
 extern const struct glint_method glint_x_perspective, glint_six_perspective, glint_phong_perspective,
     glint_biquadratic_perspective;
 
