@@ -13,22 +13,14 @@
 #ifndef APP_H
 #define APP_H
 
+#include "app/program_scene.h"
 #include "app/text.h"
 #include "boards/board.h"
-
-/* A scene that is linked in: its packed bytes. The list is made at build. */
-struct app_scene {
-    const char *name;
-    const uint32_t *blob;
-    const uint32_t *length;
-};
-extern const struct app_scene app_scenes[];
-extern const unsigned app_scene_count;
 
 /* What is being shown. */
 struct app {
     const struct board *board;
-    const struct app_scene *scene;
+    const struct program_scene *scene;
     const struct glint_choice *method;
     uint32_t moment_ms;
     uint8_t paused, figures;

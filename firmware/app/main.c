@@ -21,9 +21,9 @@ struct main_state {
 
 static void main_change_scene(struct app *app, int forward)
 {
-    unsigned index = (unsigned)(app->scene - app_scenes);
-    index = (index + (forward ? 1 : app_scene_count - 1)) % app_scene_count;
-    app->scene = app_scenes + index;
+    unsigned index = (unsigned)(app->scene - program_scenes);
+    index = (index + (forward ? 1 : program_scene_count - 1)) % program_scene_count;
+    app->scene = program_scenes + index;
     show_ready(app);
 }
 
@@ -145,7 +145,7 @@ static const struct glint_choice *main_first_method(void)
 
 int main(void)
 {
-    struct main_state state = {.app = {.board = board_start(), .scene = app_scenes, .figures = 1}};
+    struct main_state state = {.app = {.board = board_start(), .scene = program_scenes, .figures = 1}};
     const struct board *board = state.app.board;
     struct hal_display *display = board->display;
     if (display->ops->open(display, board->width, board->height, (enum hal_pixel_format)board->format) != 0) {

@@ -36,7 +36,7 @@ static int show_fit(struct glint_config *config)
 void show_ready(struct app *app)
 {
     struct glint_config config = show_config(app);
-    const struct app_scene *scene = app->scene;
+    const struct program_scene *scene = app->scene;
     app->problem = 0;
     app->rate = 0;
     if (glint_scene_check(scene->blob, *scene->length) != 0) {
