@@ -94,7 +94,7 @@ static void show_figures(const struct app *app, const struct text_canvas *canvas
     text_add(&line, app_method(app)->name);
     text_add(&line, " ");
     text_add_number(&line, app->sent);
-    text_add(&line, " bytes");
+    text_add(&line, " b");
     text_draw(canvas, 0, app->board->height - text_height(canvas->width), line.text);
 }
 

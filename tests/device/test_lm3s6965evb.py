@@ -13,7 +13,7 @@ from oled import HEIGHT, KEYS, WIDTH, Oled
 image, glint = sys.argv[1:3]
 failed = 0
 TEXT_ROWS = 6  # of a line of text
-MENU_LINES, MENU_WIDTH = 8, 18 * 4  # "screen redraw/test"
+MENU_LINES, MENU_WIDTH = 8, 19 * 4  # "screen redraw/test "
 
 
 def verdict(name, complaint):
@@ -117,7 +117,7 @@ def figures_and_menu(oled):
     verdict("the figures are on the picture", None if compare(oled, told) else "no pixel differs")
     choose(oled, "info")
     told = Told(oled.press("left"))
-    menu = [(x, y) for x in range(MENU_WIDTH) for y in range(TEXT_ROWS, (MENU_LINES + 1) * TEXT_ROWS)]
+    menu = [(x, y) for x in range(MENU_WIDTH) for y in range(TEXT_ROWS - 1, (MENU_LINES + 1) * TEXT_ROWS)]
     covered = set(menu)
     verdict("beside the menu is the picture", compare(oled, told, lambda x, y: (x, y) not in covered))
     shown = levels(oled.screen())
