@@ -13,7 +13,7 @@ failed = 0
 
 STOP, FIGURES = ["A"], ["A", "up"]
 # What is pressed, and what of the answer then is new: 1 the scene, 2 the method, 3 the moment.
-TOUR = ([(["right"], 1)] * 8 + [(["A", "right"], 3)] + [(["up"], 2)] * 19)
+TOUR = ([(["right"], 1)] * 9 + [(["A", "right"], 3)] + [(["up"], 2)] * 19)
 SHORT = [(["right"], 1)] * 2 + [(["A", "right"], 3), (["up"], 2)]
 
 

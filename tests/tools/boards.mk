@@ -4,12 +4,13 @@
 BOARDS := lm3s6965evb picosystem pico-st7789 pico-display2
 include boards/rp2040.mk $(BOARDS:%=boards/%/board.mk)
 APP_SRC := $(wildcard firmware/app/*.c)
+$(foreach s,$(filter-out $(SCENES) $(REPORT_SCENES),$(sort $(foreach b,$(BOARDS),$(SCENES_$(b))))),$(eval $(call scene_rule,$(s))))
 
 # Objects go to the board's own folder, or to that of a CPU in arm.mk.
 define board_rules
 $(if $(OBJ_$(1)),,$(call cpu_rules,$(1)))
 OBJ_$(1) ?= $(1)
-$(SCENE_DIR)/$(1)_list.c: tests/tools/scene_list.sh boards/$(1)/board.mk
+$(SCENE_DIR)/$(1)_list.c: tests/tools/scene_list.sh boards/$(1)/board.mk $(LINK_$(1):%.ld=%.mk)
 	@mkdir -p $$(@D)
 	$$(Q)tests/tools/scene_list.sh --app $$(SCENES_$(1)) >$$@
 $(BUILD)/$(1)/app.elf: $$(patsubst %.c,$(BUILD)/$$(OBJ_$(1))/%.o,$$(APP_SRC) $$(HAL_$(1)) $$(SCENE_DIR)/$(1)_list.c \
