@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: MIT
 """test_rp2040.py MODULES GLINT BUILD: the handheld's program on emulated RP2040 boards, its pictures on the wires
 against the host's of the same moments."""
+import json
 import os
 import subprocess
 import sys
+import urllib.parse
+import urllib.request
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from pico import Pico
@@ -71,6 +74,43 @@ def tour(name, script):
                 ", ".join(board.faults()))
 
 
+def page():
+    """The board in a browser: what its page asks for, and a button that is pressed there."""
+    server = subprocess.Popen(["node", "tests/device/rp2040/serve.mjs", modules, f"{build}/picosystem/app.uf2", "0"], text=True,
+                              env=dict(os.environ, BOARD="picosystem"), stdout=subprocess.PIPE)
+    lines, size = [], 0
+    try:
+        url = next(word for word in server.stdout.readline().split() if word.startswith("http://"))
+
+        def ask(path, data=None):
+            with urllib.request.urlopen(url + path, data, timeout=60) as answer:
+                return answer.headers, answer.read()
+
+        def look(until):
+            nonlocal size
+            for _ in range(1000):
+                headers, pixels = ask("/picture")
+                lines.extend(json.loads(urllib.parse.unquote(headers["X-State"]))["lines"])
+                size = len(pixels)
+                if until():
+                    return
+            raise OSError(f"it only said {lines}")
+        wires = json.loads(ask("/board")[1])
+        missing = [name for name in wires["buttons"] if name.encode() not in ask("/")[1]]
+        verdict("a page with the board's buttons", ", ".join(missing))
+        look(lambda: lines)
+        for held in "10":
+            ask("/button?name=A&held=" + held, b"")
+        look(lambda: len(lines) > 1)
+        verdict(f"A pressed on the page: {lines[-1]}", None if "running" not in lines[-1] and size == 240 * 240 * 2 else f"{size} bytes")
+    except (OSError, StopIteration) as error:
+        verdict("the page", error or "no address")
+    finally:
+        server.terminate()
+        server.wait()
+
+
+page()
 tour("picosystem", TOUR)
 tour("pico-st7789", SHORT)
 tour("pico-display2", SHORT)
