@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # What there is to build.
-PARTS := fixed scene geometry plan shade raster
+PARTS := fixed scene geometry plan shade raster stream
 CORE_SRC := $(wildcard firmware/*.c $(PARTS:%=firmware/%/*.c))
 SETUP_SRC := $(wildcard tests/setups/setup_*.c)
 HOST_SRC := $(wildcard hal/host/*.c hal/panels/*.c host-tools/*/*.c) $(SETUP_SRC)
