@@ -38,11 +38,12 @@ HOST_OBJ := $(HOST_SRC:%.c=$(BUILD)/obj/%.o)
 CORE_LIB := $(BUILD)/libglint.a
 HOST_LIB := $(BUILD)/libhost.a
 GLINT := $(BUILD)/glint
+VIEW := $(BUILD)/glint-view
 UNIT_BIN := $(UNIT_SRC:tests/%.c=$(BUILD)/tests/%)
 EXHAUSTIVE_BIN := $(EXHAUSTIVE_SRC:tests/%.c=$(BUILD)/tests/%)
 
 # `make deps-demo all` installs first, also with -j.
-all: | $(filter deps-demo,$(MAKECMDGOALS)) ## Build the command line tool, build/glint
+all: | $(filter deps-demo,$(MAKECMDGOALS)) ## Build the command line tools, build/glint and build/glint-view
 	$(Q)DEPS=manual tests/tools/deps.sh demo || { echo "'make demo' installs them itself" >&2; exit 1; }
 	$(Q)$(MAKE) --no-print-directory tool
 
@@ -153,10 +154,12 @@ $(CORE_LIB) $(HOST_LIB):
 	$(call say,AR,$@)
 	$(Q)rm -f $@; $(AR) rcs $@ $^
 
-tool: $(GLINT)
+tool: $(GLINT) $(VIEW)
 	@:
 
-$(GLINT): $(filter %/main.o,$(HOST_OBJ)) $(HOST_LIB) $(CORE_LIB)
+$(GLINT): $(BUILD)/obj/host-tools/glint/main.o $(HOST_LIB) $(CORE_LIB)
+$(VIEW): $(BUILD)/obj/host-tools/view/main.o $(HOST_LIB) $(CORE_LIB)
+$(GLINT) $(VIEW):
 	$(call say,LINK,$@)
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ $(PACKAGE_LIBS) -lm -o $@
 
