@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "stream/pack.h"
 
+#include "fixed/fixed.h"
+
 #define PACK_INLINE static inline __attribute__((always_inline))
 /* A round of the loop writes at most a copy, a pixel of 3 bytes with its head, and 1 byte more for each 512 pixels. */
 #define PACK_MARGIN 6u
@@ -51,14 +53,14 @@ static uint8_t *pack_copy(uint8_t *out, unsigned kind, uint32_t count)
     return out;
 }
 
-/* A band, in rounds of a copy as long as there is one and a difference. */
+/* A band, a copy as long as there is one or else a difference at a time. */
 PACK_INLINE uint32_t pack_band(const struct pack_rows *rows, unsigned size, pack_difference *difference)
 {
     const uint8_t *at = rows->pixels, *end = at + rows->bytes;
     uint8_t *out = rows->out;
-    uint32_t left = rows->room, before = 0;
+    uint32_t before = 0;
     uint8_t *single = 0; /* a step without a copy, just written */
-    for (;;) {
+    while (at != end) {
         const uint8_t *from = at;
         unsigned kinds = pack_kinds(rows, at), kind = 0;
         while (at != end && (kinds = pack_same(rows, at, kinds, size)) != 0) {
@@ -66,84 +68,75 @@ PACK_INLINE uint32_t pack_band(const struct pack_rows *rows, unsigned size, pack
             at += size;
         }
         uint32_t count = (uint32_t)(at - from) / size;
-        if ((uint32_t)(out - rows->out) + PACK_MARGIN + (count >> 9) > left)
+        if ((uint32_t)(out - rows->out) + PACK_MARGIN + (count >> 9) > rows->room)
             return 0;
         if (count) {
             kind = kind & LEFT ? PACK_LEFT : kind & ABOVE ? PACK_ABOVE : PACK_LAST;
             before = pack_load(at - size, size);
-            if (single) {
+            if (single)
                 *single = (uint8_t)(*single | kind << 5);
-                count--;
-            }
-            if (count)
+            if (count -= single != 0)
                 out = pack_copy(out, kind, count);
             single = 0;
+        } else {
+            uint32_t pixel = pack_load(at, size);
+            uint8_t *next = difference(out, before, pixel, single != 0);
+            single = next == out + 1 && *out < PACK_STEPS ? out : 0;
+            out = next;
+            before = pixel;
+            at += size;
         }
-        if (at == end)
-            return (uint32_t)(out - rows->out);
-        uint32_t pixel = pack_load(at, size);
-        uint8_t *next = difference(out, before, pixel, single != 0);
-        single = next == out + 1 && *out < PACK_STEPS ? out : 0;
-        out = next;
-        before = pixel;
-        at += size;
     }
+    return (uint32_t)(out - rows->out);
 }
 
-/* Differences of red, green and blue; red and blue are thought to go along with green >> lag. The range of each is
- * that of its type modulo the channel's, so that the decoder's sum comes back. */
+/* Differences of red, green and blue; red and blue are expected to go along with green >> lag. Each is a signed number
+ * modulo its channel's range, so that the sum comes back. */
 PACK_INLINE uint8_t *pack_colour(uint8_t *out, int red, int green, int blue, unsigned lag, uint32_t pixel,
                                  unsigned size)
 {
     int sign = green < 0, r = sign ? -red : red, g = sign ? -green : green, b = sign ? -blue : blue;
-    unsigned centred = (unsigned)(red + 1) * 3 + (unsigned)(blue + 1);
-    int level = green >> lag;
-    unsigned with_red = (unsigned)(red - level + 8), with_blue = (unsigned)(blue - level + 8);
-    if (green == 0 && (unsigned)(red + 1) <= 2 && (unsigned)(blue + 1) <= 2) {
-        /* both 0 was a copy, if not at the band's first pixel */
-        if (centred != 4) {
-            *out++ = (uint8_t)(16 + centred - (centred > 4));
-            return out;
-        }
-    } else if (green != 0 && g <= 2 && (unsigned)r <= 1 && (unsigned)b <= 1) {
+    int with_red = red - (green >> lag) + 8, with_blue = blue - (green >> lag) + 8;
+    if (g != 0 && g <= 2 && (unsigned)r <= 1 && (unsigned)b <= 1) {
         *out++ = (uint8_t)(sign << 3 | (g - 1) << 2 | r << 1 | b);
-        return out;
-    }
-    if ((unsigned)(green + 32) < 64 && with_red < 16 && with_blue < 16) {
+    } else if (g == 0 && (red | blue) != 0 && (unsigned)(red + 1) <= 2 && (unsigned)(blue + 1) <= 2) {
+        int step = (red + 1) * 3 + blue + 1;
+        *out++ = (uint8_t)(16 + step - (step > 4));
+    } else if ((unsigned)(green + 32) < 64 && (unsigned)with_red < 16 && (unsigned)with_blue < 16) {
         *out++ = (uint8_t)(PACK_WIDE | (green & 63));
         *out++ = (uint8_t)(with_red << 4 | with_blue);
-        return out;
+    } else {
+        *out++ = PACK_LITERAL;
+        for (; size; size--, pixel >>= 8)
+            *out++ = (uint8_t)(pixel & 255);
     }
-    *out++ = PACK_LITERAL;
-    for (; size; size--, pixel >>= 8)
-        *out++ = (uint8_t)pixel;
     return out;
 }
 
 /* The low `bits` of a difference as a signed number. */
-PACK_INLINE int pack_signed(uint32_t difference, unsigned bits)
+FX_WRAPS PACK_INLINE int pack_signed(uint32_t to, uint32_t from, unsigned bits)
 {
-    return (int32_t)(difference << (32 - bits)) >> (32 - bits);
+    return (int32_t)((to - from) << (32 - bits)) >> (32 - bits);
 }
 
 PACK_INLINE uint8_t *pack_difference_rgb565(uint8_t *out, uint32_t before, uint32_t pixel, int single)
 {
     (void)single;
-    return pack_colour(out, pack_signed((pixel >> 11) - (before >> 11), 5),
-                       pack_signed((pixel >> 5) - (before >> 5), 6), pack_signed(pixel - before, 5), 1, pixel, 2);
+    return pack_colour(out, pack_signed(pixel >> 11, before >> 11, 5), pack_signed(pixel >> 5, before >> 5, 6),
+                       pack_signed(pixel, before, 5), 1, pixel, 2);
 }
 
 PACK_INLINE uint8_t *pack_difference_rgb888(uint8_t *out, uint32_t before, uint32_t pixel, int single)
 {
     (void)single;
-    return pack_colour(out, pack_signed(pixel - before, 8), pack_signed((pixel >> 8) - (before >> 8), 8),
-                       pack_signed((pixel >> 16) - (before >> 16), 8), 0, pixel, 3);
+    return pack_colour(out, pack_signed(pixel, before, 8), pack_signed(pixel >> 8, before >> 8, 8),
+                       pack_signed(pixel >> 16, before >> 16, 8), 0, pixel, 3);
 }
 
 /* Two small differences after one another share a byte. */
 PACK_INLINE uint8_t *pack_difference_grey8(uint8_t *out, uint32_t before, uint32_t pixel, int single)
 {
-    int difference = pack_signed(pixel - before, 8);
+    int difference = pack_signed(pixel, before, 8);
     if (single && (unsigned)(difference + 4) < 8 && (unsigned)(out[-1] - 8) < 7) {
         int first = out[-1] - (out[-1] < 12 ? 12 : 11);
         out[-1] = (uint8_t)(PACK_WIDE | (first & 7) << 3 | (difference & 7));
@@ -158,8 +151,8 @@ PACK_INLINE uint8_t *pack_difference_grey8(uint8_t *out, uint32_t before, uint32
 
 PACK_INLINE uint8_t *pack_difference_grey4(uint8_t *out, uint32_t before, uint32_t pixel, int single)
 {
-    int left = pack_signed((pixel >> 4) - (before >> 4), 4), right = pack_signed(pixel - before, 4);
-    unsigned step = (unsigned)(left + 2) * 5 + (unsigned)(right + 2);
+    int left = pack_signed(pixel >> 4, before >> 4, 4), right = pack_signed(pixel, before, 4);
+    int step = (left + 2) * 5 + right + 2;
     (void)single;
     if ((unsigned)(left + 2) <= 4 && (unsigned)(right + 2) <= 4 && step != 12) {
         *out++ = (uint8_t)(step - (step > 12));

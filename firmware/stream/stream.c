@@ -38,7 +38,8 @@ static void stream_head(struct stream *s, enum stream_type type, uint16_t y, uin
     stream_put32(head + STREAM_AT_MAGIC, STREAM_MAGIC);
     head[STREAM_AT_VERSION] = STREAM_VERSION;
     head[STREAM_AT_TYPE] = (uint8_t)type;
-    stream_put16(head + STREAM_AT_SEQUENCE, s->sequence++);
+    stream_put16(head + STREAM_AT_SEQUENCE, s->sequence);
+    s->sequence = (uint16_t)((s->sequence + 1) & 0xFFFF);
     stream_put32(head + STREAM_AT_TIME, s->time_us);
     stream_put16(head + STREAM_AT_Y, y);
     stream_put16(head + STREAM_AT_WIDTH, s->width);
