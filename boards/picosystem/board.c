@@ -42,7 +42,8 @@ static struct panel board_panel = {.display.ops = &panel_display,
 
 const struct board *board_start(void)
 {
-    static const struct board board = {.display = &board_panel.display,
+    static const struct board board = {.name = "picosystem",
+                                       .display = &board_panel.display,
                                        .width = SIZE,
                                        .height = SIZE,
                                        .band_rows = BAND_ROWS,

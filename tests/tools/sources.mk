@@ -3,7 +3,7 @@
 PARTS := fixed scene geometry plan shade raster stream
 CORE_SRC := $(wildcard firmware/*.c $(PARTS:%=firmware/%/*.c))
 SETUP_SRC := $(wildcard tests/setups/setup_*.c)
-HOST_SRC := $(wildcard hal/host/*.c hal/panels/*.c host-tools/*/*.c) $(SETUP_SRC)
+HOST_SRC := $(wildcard hal/host/*.c hal/panels/*.c host-tools/*/*.c) $(SETUP_SRC) $(filter-out %/main.c,$(wildcard firmware/app/*.c))
 UNIT_SRC := $(wildcard tests/unit/test_*.c)
 EXHAUSTIVE_SRC := $(wildcard tests/exhaustive/*.c)
 CLI_TESTS := $(wildcard tests/cli/*.sh)
