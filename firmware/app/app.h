@@ -16,13 +16,13 @@
  * Each change, and the end of each turn, is told on the serial line when its picture is on the display, in clauses
  * apart by ", " of which those in brackets may be missing:
  *
- *   frame SCENE METHOD MOMENT ms, N us, turn YAW,PITCH, budget N, N bytes[, running][, N dropped][, menu LINE]
- *   error SCENE: reason[, menu LINE]
+ *   frame SCENE METHOD MOMENT ms, N us, turn YAW,PITCH, budget N, N bytes[, running][, N dropped][, menu LINE], stack N
+ *   error SCENE: reason[, menu LINE], stack N
  *   error display
  *   test NAME WIDTHxHEIGHT[, rotation DEGREES][, menu LINE]
  *
  * us: to draw the picture, without the display; turn: degrees, to be given to `glint render --turn`; bytes: sent to the
- * display; dropped: triangles that found no room in memory.
+ * display; dropped: triangles that found no room in memory; stack: the most bytes of it that were ever in use.
  */
 #ifndef APP_H
 #define APP_H

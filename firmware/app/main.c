@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Buttons, time and reports. */
 #include "app/app.h"
+#include "app/crash.h"
 #include "clock.h"
 #include "cortexm/machine.h"
+#include "cortexm/stack.h"
 #include "input.h"
 
 #define MAIN_PERIOD_US 16667u  /* a picture, and a look at the buttons: longer than a key bounces */
@@ -32,6 +34,8 @@ static void main_tell(const struct app *app)
 {
     struct text_line line = {.length = 0};
     report_picture(app, &line);
+    text_add(&line, ", stack ");
+    text_add_number(&line, stack_used());
     machine_write(line.text);
     machine_write("\n");
 }
@@ -80,6 +84,7 @@ int main(void)
     struct app *app = &state.app;
     if (main_open(app->board) != 0)
         return 3;
+    crash_show(app->board);
     control_start(&app->control, input_buttons());
     show_ready(app);
     state.last_us = state.window_us = clock_us();
@@ -99,6 +104,7 @@ int main(void)
                 main_tell(app);
             effect = 0;
         }
+        stack_check();
         while (clock_us() - now < MAIN_PERIOD_US)
             clock_idle();
     }
