@@ -90,6 +90,9 @@ report: deps-test ## Pictures, errors and costs of every method on every scene, 
 bench-setup: deps-test ## The papers' quadratic set-ups: operations, instructions, seconds; writes build/bench/setup.csv
 	$(Q)$(MAKE) --no-print-directory bench-setup-table
 
+bench-stream: deps-test ## Bytes a picture of a stream, and instructions to pack it, on Cortex-M0+, M3 and M4
+	$(Q)$(MAKE) --no-print-directory bench-stream-table
+
 figures: deps-test ## Write the README's figures of quality and cost anew
 	$(Q)$(MAKE) --no-print-directory bench-table report-page
 	$(Q)tests/tools/figures.sh $(GLINT) $(BUILD)/bench/bench.csv $(BUILD)/report/report.csv README.md
@@ -181,4 +184,4 @@ include tests/tools/faults.mk
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
 .PHONY: all tool demo test test-unit test-cli test-models test-core test-golden test-device test-rp2040 test-sanitize test-exhaustive \
-	bench bench-setup report figures profile size stack golden lint format check-format deps deps-demo deps-test image run flash clean help
+	bench bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-test image run flash clean help

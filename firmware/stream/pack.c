@@ -6,9 +6,7 @@
 #define PACK_INLINE static inline __attribute__((always_inline))
 /* A round of the loop writes at most a copy, a pixel of 3 bytes with its head, and 1 byte more for each 512 pixels. */
 #define PACK_MARGIN 6u
-
-/* Copies as sets: bit k is enum pack_kind k. */
-enum { LEFT = 1 << PACK_LEFT, ABOVE = 1 << PACK_ABOVE, LAST = 1 << PACK_LAST };
+#define PACK_LONG   64u /* bytes: a copy for which no better one is looked for */
 
 /* Adds the difference between a pixel and the one before: after a single byte in 0..PACK_STEPS - 1 the copy of one
  * pixel may be written into it. `single` says that this stands in front of `out`. */
@@ -21,25 +19,12 @@ PACK_INLINE uint32_t pack_load(const uint8_t *at, unsigned size)
     return size == 1 ? *at : (uint32_t)(at[0] | at[1] << 8 | at[2] << 16);
 }
 
-/* Those of `kinds` of which the pixel is a copy. */
-PACK_INLINE unsigned pack_same(const struct pack_rows *rows, const uint8_t *at, unsigned kinds, unsigned size)
+/* Where pixels end to be those at `other`. */
+PACK_INLINE const uint8_t *pack_alike(const uint8_t *at, const uint8_t *end, const uint8_t *other, unsigned size)
 {
-    uint32_t pixel = pack_load(at, size);
-    unsigned same = 0;
-    if ((kinds & LEFT) && pack_load(at - size, size) == pixel)
-        same |= LEFT;
-    if ((kinds & ABOVE) && pack_load(at - rows->stride, size) == pixel)
-        same |= ABOVE;
-    if ((kinds & LAST) && pack_load(rows->last + (at - rows->pixels), size) == pixel)
-        same |= LAST;
-    return same;
-}
-
-/* The copies that there are at a pixel. */
-PACK_INLINE unsigned pack_kinds(const struct pack_rows *rows, const uint8_t *at)
-{
-    uint32_t offset = (uint32_t)(at - rows->pixels);
-    return (offset ? LEFT : 0u) | (offset >= rows->stride ? ABOVE : 0u) | (rows->last ? LAST : 0u);
+    for (; at != end && pack_load(at, size) == pack_load(other, size); other += size)
+        at += size;
+    return at;
 }
 
 static uint8_t *pack_copy(uint8_t *out, unsigned kind, uint32_t count)
@@ -53,25 +38,45 @@ static uint8_t *pack_copy(uint8_t *out, unsigned kind, uint32_t count)
     return out;
 }
 
+/* The longest copy that begins at `at`: its end and, if it has a pixel, its kind. */
+PACK_INLINE const uint8_t *pack_longest(const struct pack_rows *rows, const uint8_t *at, const uint8_t *end,
+                                        uint32_t before, unsigned size, unsigned *kind)
+{
+    const uint8_t *longest = at, *stop;
+    if (rows->last) {
+        longest = pack_alike(at, end, rows->last + (at - rows->pixels), size);
+        *kind = PACK_LAST;
+    }
+    if ((uint32_t)(longest - at) >= PACK_LONG)
+        return longest;
+    if ((uint32_t)(at - rows->pixels) >= rows->stride &&
+        (stop = pack_alike(at, end, at - rows->stride, size)) > longest) {
+        longest = stop;
+        *kind = PACK_ABOVE;
+    }
+    for (stop = at; stop != end && pack_load(stop, size) == before; stop += size)
+        ;
+    if (stop > longest) {
+        longest = stop;
+        *kind = PACK_LEFT;
+    }
+    return longest;
+}
+
 /* A band, a copy as long as there is one or else a difference at a time. */
 PACK_INLINE uint32_t pack_band(const struct pack_rows *rows, unsigned size, pack_difference *difference)
 {
     const uint8_t *at = rows->pixels, *end = at + rows->bytes;
-    uint8_t *out = rows->out;
+    uint8_t *out = rows->out, *single = 0; /* a step without a copy, just written */
     uint32_t before = 0;
-    uint8_t *single = 0; /* a step without a copy, just written */
     while (at != end) {
-        const uint8_t *from = at;
-        unsigned kinds = pack_kinds(rows, at), kind = 0;
-        while (at != end && (kinds = pack_same(rows, at, kinds, size)) != 0) {
-            kind = kinds;
-            at += size;
-        }
-        uint32_t count = (uint32_t)(at - from) / size;
+        unsigned kind = 0;
+        const uint8_t *stop = pack_longest(rows, at, end, before, size, &kind);
+        uint32_t count = (uint32_t)(stop - at) / size;
         if ((uint32_t)(out - rows->out) + PACK_MARGIN + (count >> 9) > rows->room)
             return 0;
         if (count) {
-            kind = kind & LEFT ? PACK_LEFT : kind & ABOVE ? PACK_ABOVE : PACK_LAST;
+            at = stop;
             before = pack_load(at - size, size);
             if (single)
                 *single = (uint8_t)(*single | kind << 5);

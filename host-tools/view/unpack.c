@@ -44,12 +44,16 @@ static void unpack_look(struct unpack *u)
 
 static bool unpack_copy(struct unpack *u, unsigned kind, size_t count)
 {
-    const uint8_t *first = u->rows->pixels;
+    const uint8_t *first = u->rows->pixels, *from;
     size_t bytes = count * u->size;
-    const uint8_t *from;
     if (bytes > (size_t)(u->out_end - u->out))
         return false;
-    if (kind == PACK_LEFT && u->out != first)
+    if (kind == PACK_LEFT && u->out == first) { /* the pixel before the first is 0 */
+        memset(u->out, 0, u->size);
+        u->out += u->size;
+        bytes -= u->size;
+    }
+    if (kind == PACK_LEFT)
         from = u->out - u->size;
     else if (kind == PACK_ABOVE && (size_t)(u->out - first) >= u->rows->stride)
         from = u->out - u->rows->stride;

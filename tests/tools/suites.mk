@@ -102,6 +102,10 @@ bench-setup-table: $(CPUS:%=$(BUILD)/bench/setup-%.csv) $(BUILD)/bench/setup $(B
 	@tests/tools/bench_setup.sh $(BUILD)/bench/setup_count $(BUILD)/bench/setup $(BUILD)/bench/setup_real \
 		$(foreach c,$(CPUS),$(c)=$(BUILD)/bench/setup-$(c).csv)
 
+bench-stream-table: $(CPUS:%=$(BUILD)/%/stream.elf)
+	@echo "cpu, scene, format, codec, bytes a 240x240 picture, instructions to pack and check it"
+	@$(foreach c,$(CPUS),$(call QEMU,$(c)) -icount shift=0 -kernel $(BUILD)/$(c)/stream.elf | sed 's/^/$(c),/; s/,/, /g' &&) :
+
 profile-run: $(BENCH_ELF)
 	@tests/tools/profile.sh "$(call QEMU,$(or $(CPU),m4)) -kernel" $(BUILD)/$(or $(CPU),m4)/bench.elf \
 		$(or $(RENDER),bench-torus288 x) $(or $(BANDS),1) $(or $(TABLES),1) $(if $(FIRST),1,2)
@@ -127,5 +131,5 @@ lint-run:
 		$(PACKAGE_FLAGS) || status=1; exit $$status
 
 .PHONY: suite-unit suite-exhaustive suite-cli suite-models suite-core suite-golden suite-device suite-docs suite-sanitize \
-	suite-sanitized suite-bench bench-table bench-setup-table report-page profile-run size-table stack-table golden-update lint-run \
+	suite-sanitized suite-bench bench-table bench-setup-table bench-stream-table report-page profile-run size-table stack-table golden-update lint-run \
 	always
