@@ -104,11 +104,16 @@ class Oled:
         return last
 
     def press(self, name):
-        """Presses a key until a line answers, and releases it; returns the last line."""
-        self.key(name, True)
-        line = self.line(10)
-        self.key(name, False)
-        return self.last(.05) or line
+        """Presses a key until a line answers, and releases it; returns the last line. A key that is released and pressed
+        between two looks of an image that this machine gave no time was not seen, and is pressed again."""
+        for _ in range(3):
+            self.key(name, True)
+            line = self.line(5)
+            self.key(name, False)
+            if line is not None:
+                return self.last(.05) or line
+            time.sleep(1)
+        raise AssertionError(f"key {name}: no answer")
 
     def hold(self, names, seconds):
         """Holds keys; returns the line that tells of their end."""

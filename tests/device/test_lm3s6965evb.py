@@ -113,7 +113,7 @@ def figures_and_menu(oled):
     covered = set(menu)
     verdict("beside the menu is the picture", compare(oled, told, lambda x, y: (x, y) not in covered))
     shown = levels(oled.screen())
-    words = [shown[y * WIDTH + x] for x, y in menu]
+    words = [shown[y * WIDTH + x] for x, y in menu if y >= TEXT_ROWS]
     verdict("the menu is black and white", None if set(words) == {0, 15} else f"{sorted(set(words))}")
     chosen = [shown[y * WIDTH + x] for x, y in menu if y // TEXT_ROWS == 7]
     verdict("with the chosen line inverted", None if chosen.count(15) > chosen.count(0) else "it is not")
