@@ -6,6 +6,7 @@
 #include "cortexm/machine.h"
 #include "cortexm/stack.h"
 #include "input.h"
+#include "serial.h"
 
 #define MAIN_PERIOD_US 16667u  /* a picture, and a look at the buttons: longer than a key bounces */
 #define MAIN_RATE_US   500000u /* over which the pictures a second are counted */
@@ -63,6 +64,23 @@ static int main_show(struct app *app)
     return error;
 }
 
+static int main_send(void *context, const void *bytes, size_t size)
+{
+    (void)context;
+    serial_write(bytes, (uint32_t)size);
+    return 0;
+}
+
+/* What the other end of the serial line wants. */
+static unsigned main_hear(struct app *app)
+{
+    uint8_t bytes[STREAM_HEADER];
+    unsigned effect = 0;
+    for (uint32_t count; (count = serial_read(bytes, sizeof bytes)) != 0;)
+        effect |= remote_hear(app, bytes, count);
+    return effect;
+}
+
 /* X where it is linked, else the first. */
 static uint16_t main_first_method(void)
 {
@@ -80,7 +98,8 @@ int main(void)
                                                    .method = main_first_method(),
                                                    .budget = CONTROL_BUDGET,
                                                    .running = 1,
-                                                   .figures = 1}}};
+                                                   .figures = 1},
+                                       .remote.stream.write = main_send}};
     struct app *app = &state.app;
     if (main_open(app->board) != 0)
         return 3;
@@ -90,7 +109,10 @@ int main(void)
     state.last_us = state.window_us = clock_us();
     for (unsigned effect = CONTROL_DRAW | CONTROL_REPORT;;) {
         uint32_t now = clock_us();
-        effect |= control_step(&app->control, input_buttons() | app->buttons, now - state.last_us);
+        effect |= main_hear(app);
+        effect |= control_step(&app->control,
+                               input_buttons() | app->buttons | remote_buttons(&app->remote, now - state.last_us),
+                               now - state.last_us);
         state.last_us = now;
         app->buttons = 0;
         if (effect & CONTROL_READY)

@@ -42,7 +42,7 @@ enum stream_type {
     STREAM_KEY_PLEASE = 0x81,
     STREAM_BUTTONS = 0x82, /* the set held: 1 up, 2 down, 4 left, 8 right, 16 A, 32 B, 64 X, 128 Y */
     STREAM_METHOD = 0x83,  /* index of hello's list */
-    STREAM_BUDGET = 0x84,  /* 0..255 */
+    STREAM_BUDGET = 0x84,  /* 1..255 */
     STREAM_SCENE = 0x85,   /* index of hello's list */
     STREAM_PAUSE = 0x86,   /* 1: stop, 0: go on */
 };

@@ -29,7 +29,7 @@ static const char main_help[] =
     "      --names            print what the device offers: scenes and methods\n"
     "      --scene NAME       let the device show a scene,\n"
     "      --method NAME      by a method,\n"
-    "      --budget N         with a budget of N, 0..255\n"
+    "      --budget N         with a budget of N, 1..255\n"
     "      --pause, --run     stop its animation, or let it go on\n"
     "      --help\n\n"
     "Exit code: 0 done, 1 no picture, or fewer than asked for, 2 bad usage, 3 device or I/O.\n";
@@ -38,27 +38,38 @@ struct view {
     struct frames frames;
     struct port port;
     const char *dump, *scene, *method;
-    uint32_t wanted; /* pictures; 0: all */
-    uint32_t budget, pause;
+    uint32_t frames_wanted; /* 0: all */
+    /* asked of the device, by place in its lists, or MAIN_NONE: pictures from before it obeyed do not count */
+    uint32_t scene_index, method_index, budget, pause;
     bool list, names, named;
+    uint32_t pictures; /* that count */
     uint64_t bytes;
     int code;
 };
 
 static bool main_enough(const struct view *view)
 {
-    return view->code != CLI_DONE || (view->wanted && view->frames.pictures >= view->wanted);
+    return view->code != CLI_DONE || (view->frames_wanted && view->pictures >= view->frames_wanted);
+}
+
+static bool main_obeyed(uint32_t asked, uint32_t is)
+{
+    return asked == MAIN_NONE || asked == is;
 }
 
 static void main_picture(void *context, const struct frames_picture *p)
 {
     struct view *view = context;
-    uint32_t index = view->frames.pictures - 1;
-    if (view->code != CLI_DONE || (view->wanted && index >= view->wanted))
+    if (main_enough(view) || ((view->scene || view->method) && !view->named) ||
+        !main_obeyed(view->scene_index, p->scene) || !main_obeyed(view->method_index, p->method) ||
+        !main_obeyed(view->budget, p->budget) || !main_obeyed(view->pause, p->paused))
         return;
     view->bytes += p->bytes;
-    if (view->dump)
-        view->code = dump_picture(view->dump, index, p);
+    if (view->dump && view->pictures == 0)
+        view->code = dump_folder(view->dump);
+    if (view->dump && view->code == CLI_DONE)
+        view->code = dump_picture(view->dump, view->pictures, p);
+    view->pictures++;
     if (view->list)
         printf(
             "%u: %ux%u %s%s, moment %u ms, %u bytes, drawn in %u us, packed in %u us, %u of %u triangles, %u dropped\n",
@@ -104,6 +115,7 @@ static void main_choose(struct view *view, const char *text, uint32_t length, en
         view->code = CLI_BAD_USAGE;
         return;
     }
+    *(type == STREAM_METHOD ? &view->method_index : &view->scene_index) = index;
     view->code = port_ask(&view->port, type, index);
 }
 
@@ -183,10 +195,10 @@ static int main_parse(struct view *view, int argc, char **argv)
         case '?':
             return CLI_BAD_USAGE;
         case MAIN_FRAMES:
-            good = cli_number(optarg, 1, 1000000, &view->wanted);
+            good = cli_number(optarg, 1, 1000000, &view->frames_wanted);
             break;
         case MAIN_BUDGET:
-            good = cli_number(optarg, 0, 255, &view->budget);
+            good = cli_number(optarg, 1, 255, &view->budget);
             break;
         default:
             main_flag(view, option);
@@ -242,12 +254,12 @@ static int main_run(struct view *view)
 static int main_tell(const struct view *view)
 {
     const struct frames *f = &view->frames;
-    uint32_t pictures = view->wanted && f->pictures > view->wanted ? view->wanted : f->pictures;
+    uint32_t pictures = view->pictures;
     if (f->parser.out_of_memory) {
         fprintf(stderr, "%s: out of memory\n", view->port.name);
         return CLI_IO;
     }
-    if (pictures == 0 || pictures < view->wanted) {
+    if (pictures == 0 || pictures < view->frames_wanted) {
         fprintf(stderr, "%s: %s%u picture%s in the stream, %u lost%s\n", view->port.name, pictures ? "only " : "",
                 (unsigned)pictures, pictures == 1 ? "" : "s", (unsigned)f->lost,
                 f->parser.other_version ? "; part of it is of another version" : "");
@@ -260,20 +272,22 @@ static int main_tell(const struct view *view)
 
 static int main_view(int argc, char **argv)
 {
-    static struct view view = {.budget = MAIN_NONE, .pause = MAIN_NONE};
+    static struct view view = {
+        .scene_index = MAIN_NONE, .method_index = MAIN_NONE, .budget = MAIN_NONE, .pause = MAIN_NONE};
     const struct frames_events events = {main_picture, main_hello, main_log, &view};
     argv[0] = (char *)(uintptr_t)main_name;
     int code = main_parse(&view, argc, argv);
     if (code >= 0)
         return code;
+    bool asking = view.scene || view.method || view.budget != MAIN_NONE || view.pause != MAIN_NONE;
     cli_catch_signals();
     if ((code = port_open(&view.port, argv[optind])) != CLI_DONE)
         return code;
+    if (asking && !view.port.asks)
+        return cli_usage(main_name, "%s is no device that could be asked for a scene, method, budget or pause",
+                         view.port.name);
     frames_open(&view.frames, &events);
-    if (view.dump)
-        code = dump_folder(view.dump);
-    if (!code)
-        code = main_run(&view);
+    code = main_run(&view);
     if (!code && !cli_interrupted())
         code = main_tell(&view);
     frames_close(&view.frames);
