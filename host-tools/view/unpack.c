@@ -100,7 +100,7 @@ static bool unpack_put_pair(struct unpack *u, int left, int right)
     if (u->out == u->out_end)
         return false;
     unpack_look(u);
-    *u->out++ = (uint8_t)(((u->before >> 4) + left) << 4 & 0xF0) | ((u->before + right) & 15);
+    *u->out++ = (uint8_t)((((u->before >> 4) + left) & 15) << 4 | ((u->before + right) & 15));
     return true;
 }
 

@@ -13,7 +13,7 @@
 #include "frame_case.h"
 #include "stream_case.h"
 
-enum { FRAMES = 30, RATE = 50 };
+enum { FRAMES = 20, RATE = 50 };
 
 /* The average of FRAMES pictures, the first left out. Every object of a scene that stands still is given a turn in four
  * seconds, about an axis that is nothing to it. */
