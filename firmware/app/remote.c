@@ -80,6 +80,7 @@ void remote_begin(struct app *app)
     s->height = board->height;
     s->buffer_bytes = ((uint32_t)board->width * s->pixels->bits + 7) / 8 * board->band_rows;
     s->time_us = clock_us();
+    app->remote.pack_us = 0;
     stream_hello(s, &names);
     stream_frame_begin(s, &frame);
 }
@@ -89,15 +90,19 @@ void remote_band(struct app *app, const struct glint_band *band)
     void *const *bands = app->board->band;
     if (!app->remote.sending)
         return;
+    uint32_t begin = clock_us();
     app->remote.stream.buffer = band->pixels == bands[0] ? bands[1] : bands[0];
     stream_band(&app->remote.stream, band->pixels, band->y, band->rows);
+    app->remote.pack_us += clock_us() - begin;
 }
 
 void remote_end(struct app *app)
 {
     const struct glint_stats *stats = &app->frame.stats;
-    struct stream_statistics statistics = {
-        .draw_us = app->draw_us, .triangles = stats->triangles, .dropped = stats->dropped};
+    struct stream_statistics statistics = {.draw_us = app->draw_us,
+                                           .pack_us = app->remote.pack_us,
+                                           .triangles = stats->triangles,
+                                           .dropped = stats->dropped};
     for (unsigned id = 0; id < GLINT_METHODS; id++)
         statistics.drawn += stats->drawn[id];
     if (app->remote.sending)

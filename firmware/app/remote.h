@@ -16,6 +16,7 @@ struct remote {
     struct stream stream;
     struct stream_receiver receiver;
     uint32_t buttons, held_us; /* told to be held (enum hal_button), and for how long yet */
+    uint32_t pack_us;          /* to pack and send the picture so far */
     uint8_t asked, sending;    /* for a picture; the one under way goes out */
 };
 
