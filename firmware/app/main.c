@@ -6,6 +6,7 @@
 #include "cortexm/machine.h"
 #include "cortexm/stack.h"
 #include "input.h"
+#include "serial.h"
 
 /* A picture, and a look at the buttons: longer than a key bounces, and a little less than pictures of a display at 60
  * Hz are apart, whose tearing signal then sets the pace. */
@@ -65,6 +66,23 @@ static int main_show(struct app *app)
     return error;
 }
 
+static int main_send(void *context, const void *bytes, size_t size)
+{
+    (void)context;
+    serial_write(bytes, (uint32_t)size);
+    return 0;
+}
+
+/* What the other end of the serial line wants. */
+static unsigned main_hear(struct app *app)
+{
+    uint8_t bytes[STREAM_HEADER];
+    unsigned effect = 0;
+    for (uint32_t count; (count = serial_read(bytes, sizeof bytes)) != 0;)
+        effect |= remote_hear(app, bytes, count);
+    return effect;
+}
+
 /* X where it is linked, else the first. */
 static uint16_t main_first_method(void)
 {
@@ -82,7 +100,8 @@ int main(void)
                                                    .method = main_first_method(),
                                                    .budget = CONTROL_BUDGET,
                                                    .running = 1,
-                                                   .figures = 1}}};
+                                                   .figures = 1},
+                                       .remote.stream.write = main_send}};
     struct app *app = &state.app;
     if (main_open(app->board) != 0)
         return 3;
@@ -92,7 +111,10 @@ int main(void)
     state.last_us = state.window_us = clock_us();
     for (unsigned effect = CONTROL_DRAW | CONTROL_REPORT;;) {
         uint32_t now = clock_us();
-        effect |= control_step(&app->control, input_buttons() | app->buttons, now - state.last_us);
+        effect |= main_hear(app);
+        effect |= control_step(&app->control,
+                               input_buttons() | app->buttons | remote_buttons(&app->remote, now - state.last_us),
+                               now - state.last_us);
         state.last_us = now;
         app->buttons = 0;
         if (effect & CONTROL_READY) {
