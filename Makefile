@@ -173,6 +173,7 @@ include tests/tools/arm.mk
 include tests/tools/boards.mk
 include tests/tools/suites.mk
 include tests/tools/rp2040.mk
+include tests/tools/faults.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
