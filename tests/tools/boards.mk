@@ -6,20 +6,38 @@ include boards/rp2040.mk $(BOARDS:%=boards/%/board.mk)
 APP_SRC := $(wildcard firmware/app/*.c)
 $(foreach s,$(filter-out $(SCENES) $(REPORT_SCENES),$(sort $(foreach b,$(BOARDS),$(SCENES_$(b))))),$(eval $(call scene_rule,$(s))))
 
-# Objects go to the board's own folder, or to that of a CPU in arm.mk.
+# Objects go to the board's own folder, or to that of a CPU in arm.mk. $(1) board, $(2) program, $(3) its sources:
+define board_program
+$(BUILD)/$(1)/$(2).elf: $$(patsubst %.c,$(BUILD)/$$(OBJ_$(1))/%.o,$(3) $$(HAL_$(1))) $$(ARM_OBJ_$$(OBJ_$(1))) $$(EXTRA_$(1)) \
+		boards/$(1)/link.ld $$(LINK_$(1)) boards/cortexm.ld
+	$$(call say,LINK,$$@)
+	@mkdir -p $$(@D)
+	$$(Q)$$(ARM)gcc $$(CPU_$(1)) $$(ARM_LINK) -T boards/$(1)/link.ld -Wl,-Map=$$(@:.elf=.map) $$(filter %.o,$$^) -lgcc -o $$@
+endef
 define board_rules
 $(if $(OBJ_$(1)),,$(call cpu_rules,$(1)))
 OBJ_$(1) ?= $(1)
 $(SCENE_DIR)/$(1)_list.c: tests/tools/scene_list.sh boards/$(1)/board.mk $(LINK_$(1):%.ld=%.mk)
 	@mkdir -p $$(@D)
 	$$(Q)tests/tools/scene_list.sh --app $$(SCENES_$(1)) >$$@
-$(BUILD)/$(1)/app.elf: $$(patsubst %.c,$(BUILD)/$$(OBJ_$(1))/%.o,$$(APP_SRC) $$(HAL_$(1)) $$(SCENE_DIR)/$(1)_list.c \
-		$$(SCENES_$(1):%=$$(SCENE_DIR)/%.c)) $$(ARM_OBJ_$$(OBJ_$(1))) $$(EXTRA_$(1)) boards/$(1)/link.ld $$(LINK_$(1)) boards/cortexm.ld
-	$$(call say,LINK,$$@)
-	@mkdir -p $$(@D)
-	$$(Q)$$(ARM)gcc $$(CPU_$(1)) $$(ARM_LINK) -T boards/$(1)/link.ld -Wl,-Map=$$(@:.elf=.map) $$(filter %.o,$$^) -lgcc -o $$@
 endef
+# $(1) its list of scenes, by scene_list.sh; $(2) the scenes
+linked_scenes = $(SCENE_DIR)/$(1)_list.c $(patsubst %,$(SCENE_DIR)/%.c,$(2))
 $(foreach b,$(BOARDS),$(eval $(call board_rules,$(b))))
+$(foreach b,$(BOARDS),$(eval $(call board_program,$(b),app,$(APP_SRC) $(call linked_scenes,$(b),$(SCENES_$(b))))))
+
+# What pictures cost: tests/device/cost.c on the boards below.
+COST_BOARDS := lm3s6965evb picosystem
+COST_lm3s6965evb := torus288 torus800
+COST_picosystem := torus288 torus800 torus1000 spin-teapot bench-torus4000
+define cost_rules
+$(SCENE_DIR)/$(1)_cost_list.c: tests/tools/scene_list.sh tests/tools/boards.mk
+	@mkdir -p $$(@D)
+	$$(Q)tests/tools/scene_list.sh $$(COST_$(1)) >$$@
+endef
+$(foreach b,$(COST_BOARDS),$(eval $(call cost_rules,$(b))))
+$(foreach b,$(COST_BOARDS),$(eval $(call board_program,$(b),cost,tests/device/cost.c tests/device/program.c \
+	$(call linked_scenes,$(b)_cost,$(COST_$(b))))))
 
 BOARD_KNOWN := $(filter $(BOARD),$(BOARDS))
 BOARD_ELF := $(BUILD)/$(BOARD)/app.elf
