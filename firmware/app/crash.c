@@ -8,7 +8,9 @@
 /* A clause a line: what stands before the next ", ". */
 static void crash_lines(const struct board *board, const struct glint_band *band, const char *text)
 {
-    for (unsigned y = TEXT_HEIGHT; *text; y += 2 * TEXT_HEIGHT) {
+    const struct text_canvas canvas = {.band = band, .width = board->width, .format = board->format};
+    const unsigned cell = text_width(board->width), height = text_height(board->width);
+    for (unsigned y = height; *text; y += 2 * height) {
         char line[FAULT_TEXT];
         unsigned length = 0;
         while (*text && *text != ',')
@@ -16,9 +18,9 @@ static void crash_lines(const struct board *board, const struct glint_band *band
         line[length] = 0;
         while (*text == ',' || *text == ' ')
             text++;
-        text_draw(band, board->format, board->width, TEXT_WIDTH, y, line);
+        text_draw(&canvas, cell, y, line);
     }
-    text_draw(band, board->format, board->width, TEXT_WIDTH, board->height - 2 * TEXT_HEIGHT, "press a button");
+    text_draw(&canvas, cell, board->height - 2 * height, "press a button");
 }
 
 static int crash_picture(const struct board *board, const char *text)

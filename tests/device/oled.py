@@ -87,15 +87,28 @@ class Oled:
         event = {"type": "key", "data": {"down": down, "key": {"type": "qcode", "data": KEYS[name]}}}
         self.qmp("input-send-event", events=[event])
 
-    def press(self, *names, wait=True):
-        """Presses keys one after the other, releases them in reverse order; returns the line that answers."""
+    def last(self, seconds):
+        """The last line that has come when no other comes for so long, or None."""
+        last = None
+        while (line := self.line(seconds)) is not None:
+            last = line
+        return last
+
+    def press(self, name):
+        """Presses a key until a line answers, and releases it; returns the last line."""
+        self.key(name, True)
+        line = self.line(10)
+        self.key(name, False)
+        return self.last(.05) or line
+
+    def hold(self, names, seconds):
+        """Holds keys; returns the line that tells of their end."""
         for name in names:
             self.key(name, True)
-            time.sleep(.1)
-        for name in reversed(names):
+        time.sleep(seconds)
+        for name in names:
             self.key(name, False)
-            time.sleep(.1)
-        return self.line(10) if wait else None
+        return self.line(10)
 
     def screen(self):
         """The OLED's pixels as 0..255, row by row; an AssertionError if a pixel is not one grey square."""
