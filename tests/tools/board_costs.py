@@ -5,9 +5,9 @@
   board_costs.py run BUILD MODULES OUT.csv   runs build/<board>/cost.elf, and reads the sizes of app.elf and app-x.elf
   board_costs.py table OUT.csv               the same as tables
 
-A line of the file is `board,what,figure,number`: what is `SCENE METHOD` (with `table` where a colour table is used) and
-the figure drawn, whole, changes (instructions on the LM3S6965, cycles on the RP2040) or bytes, bytes_changes; or what is
-`program` and the figure one of PROGRAM, in bytes.
+A line of the file is `board,what,figure,unit,number`: what is `program`, with PROGRAM's figures in bytes, then `SCENE
+METHOD` (and `table` where a colour table is used) with FIGURES: drawn, drawn and sent whole, and with what has changed 50 ms
+later (instructions on the LM3S6965, cycles on the RP2040), and the bytes of both.
 """
 import csv
 import os
@@ -20,7 +20,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../
 from pico import Pico
 
 # How many of its unit go by in a microsecond, and the unit. Under -icount shift=0 an instruction takes a nanosecond.
-BOARDS = {"lm3s6965evb": (1000, "M3 instructions"), "picosystem": (125, "cycles")}
+BOARDS = {"lm3s6965evb": (1000, "instructions"), "picosystem": (125, "cycles")}
 FIGURES = "drawn", "whole", "changes", "bytes", "bytes_changes"
 PROGRAM = "flash", "flash_x", "static", "bands", "renderer", "stack", "stack_used"
 
@@ -59,9 +59,10 @@ def measure(build, modules, board):
             scene, method, table, *numbers = words
             what = f"{scene} {method}" + (" table" if table == "1" else "")
             for figure, number in zip(FIGURES, map(int, numbers)):
-                yield what, figure, number * (1 if figure.startswith("bytes") else BOARDS[board][0])
+                per_us, unit = (1, "bytes") if figure.startswith("bytes") else BOARDS[board]
+                yield what, figure, unit, number * per_us
         elif kind == "stack":
-            yield "program", "stack_used", int(words[0])
+            yield "program", "stack_used", "bytes", int(words[0])
         elif kind == "end":
             return
         else:
@@ -90,21 +91,20 @@ def sizes(build, board):
     image = f"{build}/{board}/app.elf"
     _, data, bss = sections(image)
     named = {re.sub("^board_", "", name): (at, size) for name, at, size in symbols(image)}
-    yield "flash", code(image)
-    yield "flash_x", code(f"{build}/{board}/app-x.elf")
-    yield "static", data + bss
-    yield "bands", named["band"][1]
-    yield "renderer", named["memory"][1]
-    yield "stack", named["link_stack_top"][0] - named["link_stack"][0]
+    figures = (code(image), code(f"{build}/{board}/app-x.elf"), data + bss, named["band"][1], named["memory"][1],
+               named["link_stack_top"][0] - named["link_stack"][0])
+    for figure, number in zip(PROGRAM, figures):
+        yield "program", figure, "bytes", number
 
 
 def run(build, modules, path):
     with open(path + ".part", "w", newline="", encoding="ascii") as file:
         out = csv.writer(file, lineterminator="\n")
-        out.writerow(["board", "what", "figure", "number"])
+        out.writerow(["board", "what", "figure", "unit", "number"])
         for board in BOARDS:
-            out.writerows([board, "program", *size] for size in sizes(build, board))
-            out.writerows([board, *row] for row in measure(build, modules, board))
+            rows = [*sizes(build, board), *measure(build, modules, board)]
+            rows.sort(key=lambda row: row[0] != "program")
+            out.writerows([board, *row] for row in rows)
     os.replace(path + ".part", path)
 
 
