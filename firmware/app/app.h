@@ -22,7 +22,7 @@
  *   test NAME WIDTHxHEIGHT[, rotation DEGREES][, menu LINE]
  *
  * us: to draw the picture, without the display; turn: degrees, to be given to `glint render --turn`; bytes: sent to the
- * display; dropped: triangles that found no room in memory; stack: the most bytes of it that were used so far.
+ * display; dropped: triangles that found no room in memory; stack: the most bytes of it that were ever in use.
  */
 #ifndef APP_H
 #define APP_H

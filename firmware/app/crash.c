@@ -6,11 +6,10 @@
 #include "input.h"
 
 /* A clause a line: what stands before the next ", ". */
-static void crash_lines(const struct board *board, const struct glint_band *band, const char *text)
+static void crash_lines(const struct text_canvas *canvas, unsigned height, const char *text)
 {
-    const struct text_canvas canvas = {.band = band, .width = board->width, .format = board->format};
-    const unsigned cell = text_width(board->width), height = text_height(board->width);
-    for (unsigned y = height; *text; y += 2 * height) {
+    const unsigned cell = text_height(canvas->width), margin = text_width(canvas->width);
+    for (unsigned y = cell; *text; y += 2 * cell) {
         char line[FAULT_TEXT];
         unsigned length = 0;
         while (*text && *text != ',')
@@ -18,9 +17,9 @@ static void crash_lines(const struct board *board, const struct glint_band *band
         line[length] = 0;
         while (*text == ',' || *text == ' ')
             text++;
-        text_draw(&canvas, cell, y, line);
+        text_draw(canvas, margin, y, line);
     }
-    text_draw(&canvas, cell, board->height - 2 * height, "press a button");
+    text_draw(canvas, margin, height - 2 * cell, "press a button");
 }
 
 static int crash_picture(const struct board *board, const char *text)
@@ -33,7 +32,7 @@ static int crash_picture(const struct board *board, const char *text)
         struct glint_band band = {board->band[index], (uint16_t)y, (uint16_t)rows, stride};
         for (uint32_t i = 0; i < stride * rows; i++)
             ((uint8_t *)band.pixels)[i] = 0;
-        crash_lines(board, &band, text);
+        crash_lines(&(struct text_canvas){&band, board->width, board->format, 0}, board->height, text);
         error = display->ops->flush(display, band.pixels, band.y, band.rows, band.stride);
     }
     return error || !display->ops->frame_end ? error : display->ops->frame_end(display);

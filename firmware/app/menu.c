@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The menu: a box as wide as its longest line, so that much of the scene stays in sight. */
+/* The menu: no wider than it must, so that much of the scene stays in sight. */
 #include "app/app.h"
+
+#define MENU_COLUMNS 19u /* of "screen redraw/test "; longer lines stand out */
 
 const char menu_labels[CONTROL_LINES][MENU_LABEL] = {"scene", "method", "budget", "motion",
                                                      "time",  "turn",   "info",   "screen"};
@@ -44,16 +46,10 @@ static void menu_line(const struct app *app, enum control_line number, struct te
 void menu_draw(const struct app *app, const struct text_canvas *canvas)
 {
     struct text_canvas own = *canvas;
-    unsigned widest = 0;
     for (unsigned i = 0; i < CONTROL_LINES; i++) {
         struct text_line line = {.length = 0};
         menu_line(app, (enum control_line)i, &line);
-        widest = line.length > widest ? line.length : widest;
-    }
-    for (unsigned i = 0; i < CONTROL_LINES; i++) {
-        struct text_line line = {.length = 0};
-        menu_line(app, (enum control_line)i, &line);
-        text_pad(&line, widest);
+        text_pad(&line, MENU_COLUMNS);
         own.dark = i == app->control.line;
         text_draw(&own, 0, (i + 1) * text_height(own.width), line.text);
     }

@@ -58,7 +58,6 @@ void show_ready(struct app *app)
     struct glint_config config = show_config(app);
     const struct program_scene *scene = app_scene(app);
     app->problem = 0;
-    app->rate = 0;
     if (glint_scene_check(scene->blob, *scene->length) != 0) {
         app->problem = glint_scene_problem(scene->blob, *scene->length);
         return;
@@ -94,7 +93,7 @@ static void show_figures(const struct app *app, const struct text_canvas *canvas
     text_add(&line, app_method(app)->name);
     text_add(&line, " ");
     text_add_number(&line, app->sent);
-    text_add(&line, " bytes");
+    text_add(&line, " b");
     text_draw(canvas, 0, app->board->height - text_height(canvas->width), line.text);
 }
 

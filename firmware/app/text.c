@@ -44,24 +44,25 @@ static void text_put(uint8_t *row, unsigned format, unsigned x, int lit)
         row[x / 2] = (uint8_t)((row[x / 2] & 0x0f) | (lit ? 0xf0 : 0));
 }
 
-/* One row of pixels of all letters: row `i` of their cells, widened to 2^large pixels. */
+/* One row of pixels of all letters: row `i` of their cells, or none of those, widened to 2^large pixels. */
 static void text_row(const struct text_canvas *canvas, uint8_t *row, unsigned x, const char *text, unsigned i)
 {
     const unsigned large = text_large(canvas->width), cell = text_width(canvas->width);
     for (; *text && x + cell <= canvas->width; text++) {
         unsigned bits = i < 5 ? text_glyph(*text) >> 3 * (4 - i) & 7u : 0;
         for (unsigned j = 0; j < cell; j++, x++)
-            text_put(row, canvas->format, x, (int)(bits << 1 >> (3 - (j >> large)) & 1) ^ canvas->dark);
+            text_put(row, canvas->format, x, (int)(bits >> (3 - (j >> large)) & 1) ^ canvas->dark);
     }
 }
 
 void text_draw(const struct text_canvas *canvas, unsigned x, unsigned y, const char *text)
 {
     const struct glint_band *band = canvas->band;
+    const unsigned large = text_large(canvas->width), lead = canvas->dark, above = lead << large;
     for (unsigned i = 0; i < band->rows; i++) {
-        unsigned down = band->y + i - y; /* huge above the text */
-        if (down < text_height(canvas->width))
-            text_row(canvas, (uint8_t *)band->pixels + i * band->stride, x, text, down >> text_large(canvas->width));
+        unsigned down = band->y + i + above - y; /* huge above the text */
+        if (down < text_height(canvas->width) + above)
+            text_row(canvas, (uint8_t *)band->pixels + i * band->stride, x, text, (down >> large) - lead);
     }
 }
 

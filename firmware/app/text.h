@@ -26,7 +26,7 @@ struct text_canvas {
     const struct glint_band *band;
     uint16_t width; /* of the picture */
     uint8_t format; /* GLINT_RGB565 or GLINT_GREY4 */
-    uint8_t dark;   /* black on white */
+    uint8_t dark;   /* 1: black on white, with a row of white above that is another line's gap */
 };
 
 /* Draws what of `text`, its upper left corner at (x, y) of the picture, falls into the band. What does not fit the

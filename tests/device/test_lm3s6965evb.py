@@ -8,12 +8,12 @@ import tempfile
 import time
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from oled import HEIGHT, KEYS, WIDTH, Oled
+from oled import HEIGHT, WIDTH, Oled
 
 image, glint = sys.argv[1:3]
 failed = 0
 TEXT_ROWS = 6  # of a line of text
-MENU_LINES, MENU_WIDTH = 8, 18 * 4  # "screen redraw/test"
+MENU_LINES, MENU_WIDTH = 8, 19 * 4  # "screen redraw/test "
 
 
 def verdict(name, complaint):
@@ -71,14 +71,6 @@ def compare(oled, told, inside=lambda x, y: True):
     return f"{len(differ)} pixels differ, the first at {differ[0]}" if differ else None
 
 
-def prime(oled):
-    """The machine's key lines are low until each key was released once, and such a key does nothing."""
-    for key in KEYS:
-        oled.key(key, True)
-        oled.key(key, False)
-        time.sleep(.1)
-
-
 def menu_line(line):
     return next((clause[len("menu "):] for clause in line.split(", ") if clause.startswith("menu ")), None)
 
@@ -117,11 +109,11 @@ def figures_and_menu(oled):
     verdict("the figures are on the picture", None if compare(oled, told) else "no pixel differs")
     choose(oled, "info")
     told = Told(oled.press("left"))
-    menu = [(x, y) for x in range(MENU_WIDTH) for y in range(TEXT_ROWS, (MENU_LINES + 1) * TEXT_ROWS)]
+    menu = [(x, y) for x in range(MENU_WIDTH) for y in range(TEXT_ROWS - 1, (MENU_LINES + 1) * TEXT_ROWS)]
     covered = set(menu)
     verdict("beside the menu is the picture", compare(oled, told, lambda x, y: (x, y) not in covered))
     shown = levels(oled.screen())
-    words = [shown[y * WIDTH + x] for x, y in menu]
+    words = [shown[y * WIDTH + x] for x, y in menu if y >= TEXT_ROWS]
     verdict("the menu is black and white", None if set(words) == {0, 15} else f"{sorted(set(words))}")
     chosen = [shown[y * WIDTH + x] for x, y in menu if y // TEXT_ROWS == 7]
     verdict("with the chosen line inverted", None if chosen.count(15) > chosen.count(0) else "it is not")
@@ -174,7 +166,7 @@ def display_test(oled):
     choose(oled, "screen")
     oled.key("right", True)
     line = oled.line(10)
-    verdict("the test is told", None if line == "test lm3s6965evb 128x64, rotation 0, menu screen" else line)
+    verdict("the test is told", None if line and line.startswith("test lm3s6965evb 128x64, rotation 0, menu screen, ") else line)
     time.sleep(.1)
     shown = levels(oled.screen())
     edge = [shown[y * WIDTH + x] for y in range(HEIGHT) for x in range(WIDTH) if x in (0, WIDTH - 1) or y in (0, HEIGHT - 1)]
@@ -190,8 +182,7 @@ def pictures():
     with Oled(image) as oled:
         told = Told(oled.line())
         verdict("starts with a scene, running", None if told.running else told.line)
-        prime(oled)
-        verdict("keys that seem held at the start do nothing", oled.last(.3))
+        verdict("no key seems held at the start", oled.last(.3))
         figures_and_menu(oled)
         bytes_sent(oled)
         steps(oled)
@@ -219,25 +210,12 @@ def turn_scene_bit(data):
     data[at + 400] ^= 1
 
 
-def start_undefined(data):
-    # the first segment lies at address 0; its first instruction to run becomes an undefined one
-    entry, header = struct.unpack_from("<II", data, 24)
-    struct.pack_into("<H", data, struct.unpack_from("<I", data, header + 4)[0] + (entry & ~1), 0xDE00)
-
-
-def fault():
-    with tempfile.TemporaryDirectory() as folder, Oled(altered(folder, start_undefined)) as oled:
-        line = oled.line(10)
-        verdict(f"a fault is told on the serial line: {line}", None if line and line.startswith("fault ") else f"{line!r}")
-
-
 def damaged():
     """One bit of the first scene's blob is turned over."""
     with tempfile.TemporaryDirectory() as folder, Oled(altered(folder, turn_scene_bit)) as oled:
         line = oled.line()
         verdict(f"a damaged scene is told on the serial line: {line}",
                 None if line and line.startswith("error ") else f"{line!r}")
-        prime(oled)
         shown = levels(oled.screen())
         verdict("and on the screen, in black and white",
                 None if set(shown) == {0, 15} and shown.count(15) > 50 else f"{sorted(set(shown))}")
@@ -250,5 +228,4 @@ def damaged():
 
 pictures()
 damaged()
-fault()
 sys.exit(failed != 0)
