@@ -83,6 +83,9 @@ test-exhaustive: deps-test ## Whole domains of the fixed-point functions (minute
 bench: deps-test ## Instructions a frame on Cortex-M0+, M3, M4 and the host; writes build/bench/bench.csv
 	$(Q)$(MAKE) --no-print-directory bench-table
 
+bench-boards: deps-test ## What pictures cost on the emulated boards, their RAM and flash; writes build/bench/boards.csv
+	$(Q)$(MAKE) --no-print-directory bench-boards-table
+
 report: deps-test ## Pictures, errors and costs of every method on every scene, into build/report/index.html
 	$(Q)$(MAKE) --no-print-directory report-page
 
@@ -122,7 +125,7 @@ deps-demo: ## Install what building the tool needs: `make deps-demo all` in a CI
 deps-demo deps-test:
 	$(Q)tests/tools/deps.sh $(@:deps-%=%)
 
-image: deps-test ## The handheld's program for BOARD=picosystem, or another of boards/: build/<board>/app.elf
+image: deps-test ## The handheld's program for BOARD=picosystem, or another of boards/: build/<board>/app.elf; METHODS="x duff" links these alone
 	$(Q)$(MAKE) --no-print-directory board-image
 
 run: deps-test ## Run it on the emulated BOARD; an RP2040 in a browser (SERVE=1), or SECONDS=3 KEYS="A@500 up@900-1500"
@@ -178,4 +181,4 @@ include tests/tools/faults.mk
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
 .PHONY: all tool demo test test-unit test-cli test-models test-core test-golden test-device test-rp2040 test-sanitize test-exhaustive \
-	bench bench-setup report figures profile size stack golden lint format check-format deps deps-demo deps-test image run flash clean help
+	bench bench-boards bench-setup report figures profile size stack golden lint format check-format deps deps-demo deps-test image run flash clean help
