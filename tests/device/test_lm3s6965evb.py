@@ -36,6 +36,7 @@ class Told:
         self.bytes = int(clauses[4].split(" ")[0])
         self.running = "running" in clauses[5:]
         self.dropped = any(clause.endswith(" dropped") for clause in clauses[5:])
+        Told.stack = int(clauses[-1][len("stack "):])  # it never gets less
 
 
 def host(told):
@@ -189,6 +190,9 @@ def pictures():
         turns(oled)
         scenes_and_methods(oled)
         display_test(oled)
+    # over all scenes and methods the deepest calls are made; that an interrupt comes right then is not sure
+    command = ["python3", "tests/tools/stack_image.py", image, "--name", "lm3s6965evb", "--indirect", "tests/tools/indirect.txt"]
+    verdict("stack", subprocess.run(command + ["--measured", str(Told.stack)], check=False).returncode)
 
 
 def altered(folder, change):
