@@ -104,7 +104,6 @@ int main(void)
         main_count(&state, effect & CONTROL_DRAW);
         effect &= CONTROL_DRAW | CONTROL_REPORT;
         if (effect && main_show(app) == 0) {
-            stack_check();
             if (effect & CONTROL_REPORT)
                 main_tell(app);
             effect = 0;
