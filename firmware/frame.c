@@ -4,8 +4,8 @@
 
 #include "raster/raster.h"
 
-static void add_object(struct glint_frame *f, const struct view *view, const struct scene_object *source,
-                       uint32_t time_ms)
+FX_COLD static void add_object(struct glint_frame *f, const struct view *view, const struct scene_object *source,
+                               uint32_t time_ms)
 {
     const struct scene_mesh *mesh = scene_meshes(f->scene) + source->mesh;
     struct transform *transform = &f->raster->begin.transform;
@@ -34,7 +34,7 @@ static void add_object(struct glint_frame *f, const struct view *view, const str
     f->object_count++;
 }
 
-int glint_frame_begin(struct glint_frame *f, const void *scene, uint32_t time_ms)
+FX_COLD int glint_frame_begin(struct glint_frame *f, const void *scene, uint32_t time_ms)
 {
     const struct scene_header *header = scene;
     if (!f || !scene)

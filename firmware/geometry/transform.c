@@ -43,7 +43,8 @@ void view_setup(struct view *view, const struct scene_header *scene, uint16_t wi
         numerator = height;
         denominator = camera->reference_height;
     }
-    uint64_t focal = (((uint64_t)(uint32_t)camera->focal * numerator) << 20) / denominator; /* 16 f in Q32 */
+    uint64_t focal = (((uint64_t)(uint32_t)camera->focal * numerator) << 20); /* 16 f in Q32, times the denominator */
+    focal = fx_divide_u64(focal, denominator);
     int size = bits(focal);
     view->focal = (uint32_t)(size > 31 ? focal >> (size - 31) : focal << (31 - size));
     view->focal_exponent = 32 - (size - 31);
@@ -72,7 +73,7 @@ static void depth_setup(struct transform *t, const struct view *view, int z_expo
      */
     uint32_t range = t->range ? t->range : 1;
     unsigned up = fx_clz(range);
-    t->depth_scale = (uint32_t)(((uint64_t)(DEPTH_NEAR - DEPTH_FAR) << 47) / ((uint64_t)range << up));
+    t->depth_scale = (uint32_t)fx_divide_u64((uint64_t)(DEPTH_NEAR - DEPTH_FAR) << 47, (uint64_t)range << up);
     t->depth_shift = (int)(47 - up); /* depth = (far - z) * depth_scale >> depth_shift */
 }
 
