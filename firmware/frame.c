@@ -67,6 +67,18 @@ FX_COLD int glint_frame_begin(struct glint_frame *f, const void *scene, uint32_t
     return 0;
 }
 
+/* A piece made by clipping: its own places, and their weights in the triangle. */
+FX_COLD static void gather_piece(struct raster *r, const struct clipped_triangle *piece)
+{
+    struct shade_input *in = &r->input;
+    for (int k = 0; k < 3; k++) {
+        in->place[k] = piece->place[SHADE_TURN(k)];
+        for (int i = 0; i < 3; i++)
+            r->weight[k][i] = piece->weight[SHADE_TURN(k)][SHADE_TURN(i)];
+    }
+    in->weight = (const uint16_t(*)[3])r->weight;
+}
+
 /* Turns a listed triangle into the rasteriser's input: corners 0, 2, 1, which is clockwise with y down. */
 static void gather(struct glint_frame *f, const struct triangle_ref *ref)
 {
@@ -91,14 +103,8 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     corner = records + triangle->corner[1] * stride;
     in->place[2] = corner;
     in->lights[2] = corner + VERTEX_LIGHTS;
-    if (piece) {
-        for (int k = 0; k < 3; k++) {
-            in->place[k] = piece->place[SHADE_TURN(k)];
-            for (int i = 0; i < 3; i++)
-                r->weight[k][i] = piece->weight[SHADE_TURN(k)][SHADE_TURN(i)];
-        }
-        in->weight = (const uint16_t(*)[3])r->weight;
-    }
+    if (piece)
+        gather_piece(r, piece);
     if (r->surface_material != triangle->material) {
         r->surface_material = triangle->material;
         surface_setup(&r->surface, f->scene, scene_materials(f->scene) + triangle->material, &r->palette);

@@ -14,7 +14,7 @@ static uint32_t luma(const uint32_t rgb[3])
 }
 
 /* Q15 intensities to the palette's channels: steps in Q(15 + fraction - 15). */
-static void to_steps(const struct palette *palette, const uint32_t rgb_q15[3], unsigned down, uint32_t *out)
+FX_COLD static void to_steps(const struct palette *palette, const uint32_t rgb_q15[3], unsigned down, uint32_t *out)
 {
     if (palette->channels == 1) {
         out[0] = (luma(rgb_q15) * palette->top[0]) >> down; /* 2^15 * 255 */
@@ -24,7 +24,7 @@ static void to_steps(const struct palette *palette, const uint32_t rgb_q15[3], u
         out[c] = (rgb_q15[c] * palette->top[c]) >> down;
 }
 
-void surface_colour(const struct palette *palette, const uint16_t rgb_q15[3], uint32_t *out)
+FX_COLD void surface_colour(const struct palette *palette, const uint16_t rgb_q15[3], uint32_t *out)
 {
     uint32_t rgb[3] = {rgb_q15[0], rgb_q15[1], rgb_q15[2]};
     to_steps(palette, rgb, 0, out);
@@ -38,15 +38,16 @@ static uint16_t most(const uint16_t *steps, unsigned channels)
     return largest;
 }
 
-void surface_setup(struct surface *surface, const struct scene_header *scene, const struct scene_material *material,
+FX_COLD void surface_setup(struct surface *surface, const struct scene_header *scene, const struct scene_material *material,
                    const struct palette *palette)
 {
+    static const uint8_t limit[SCENE_MAX_LIGHTS + 1] = {128, 128, 64, 42, 32, 25, 21, 18, 16}; /* 128 / lights */
     uint32_t rgb[3], steps[3] = {0, 0, 0};
     surface->power = scene_powers(scene) + material->power;
     surface->channels = palette->channels;
     surface->lights = (uint8_t)scene->light_count;
     surface->highlights = 0;
-    surface->bend_limit = (uint8_t)(128u / (scene->light_count ? scene->light_count : 1u));
+    surface->bend_limit = limit[scene->light_count];
     for (unsigned c = 0; c < 3; c++)
         rgb[c] = times(times(material->diffuse[c], scene->ambient[c]), material->ka);
     to_steps(palette, rgb, 0, surface->base);

@@ -4,7 +4,7 @@ PARTS := fixed scene geometry plan shade raster
 CORE_SRC := $(wildcard firmware/*.c $(PARTS:%=firmware/%/*.c))
 # Compiled for size on a board: what a frame, an object or a button calls a few times. The rest is for speed.
 COLD_SRC := firmware/memory.c $(wildcard firmware/app/*.c firmware/scene/*.c) $(addprefix firmware/fixed/,divide.c power.c) \
-	$(addprefix firmware/geometry/,clip.c light.c project.c rotation.c transform.c) firmware/shade/plane_wide.c
+	$(addprefix firmware/geometry/,clip.c light.c project.c rotation.c transform.c) firmware/shade/plane_wide.c firmware/raster/table.c
 SETUP_SRC := $(wildcard tests/setups/setup_*.c)
 HOST_SRC := $(wildcard hal/host/*.c hal/panels/*.c host-tools/*/*.c) $(SETUP_SRC)
 UNIT_SRC := $(wildcard tests/unit/test_*.c)
