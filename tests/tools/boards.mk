@@ -21,7 +21,7 @@ endef
 define app_rule
 $(BUILD)/$(1)/$(2)-methods.c: firmware/methods.c tests/tools/method_list.sh always
 	@mkdir -p $$(@D)
-	$$(Q)tests/tools/method_list.sh $$< $(3) >$$@.new; cmp -s $$@.new $$@ && rm $$@.new || mv $$@.new $$@
+	$$(Q)tests/tools/method_list.sh $$< $(3) >$$@.new || exit; cmp -s $$@.new $$@ && rm $$@.new || mv $$@.new $$@
 $(BUILD)/$(1)/$(2).elf: $$(patsubst %.c,$(BUILD)/$$(OBJ_$(1))/%.o,$$(APP_SRC) $$(HAL_$(1)) $$(SCENE_DIR)/$(1)_list.c \
 		$(BUILD)/$(1)/$(2)-methods.c) $$(call board_scenes,$(1)) $$(filter-out %/firmware/methods.o,$$(ARM_OBJ_$$(OBJ_$(1)))) \
 		$$(EXTRA_$(1)) boards/$(1)/link.ld $$(LINK_$(1)) boards/cortexm.ld
