@@ -37,6 +37,13 @@
  * size, and kept out of what calls it. */
 #define FX_COLD __attribute__((cold, noinline))
 
+/* Marks a function of high products that is not to be copied into each place where an ARMv6-M would make it long. */
+#if FX_NARROW
+#define FX_NARROW_APART __attribute__((noinline))
+#else
+#define FX_NARROW_APART inline
+#endif
+
 typedef int16_t q14_t;   /* unit vectors, +-2 */
 typedef int32_t q16_t;   /* lengths, linear intensities, +-32768 */
 typedef int32_t q22_t;   /* display units (256 = full intensity), +-512; the same bits are q30_t of full intensity */

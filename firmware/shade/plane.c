@@ -154,15 +154,20 @@ struct curve {
     int32_t a, b, c;
 };
 
+/* a p + b q - c r, of the high words. Apart, as an ARMv6-M's high products are long. */
+FX_NARROW_APART static int32_t form(const int32_t abc[3], int32_t p, int32_t q, int32_t r)
+{
+    return fx_mulhi_s32(abc[0], p) + fx_mulhi_s32(abc[1], q) - fx_mulhi_s32(abc[2], r);
+}
+
 /* Coordinates are below 2^14, their products below 2^28 and times 8 below 2^31. Each high product is half of
  * coefficient * product: below 2^27, for c 3 * 2^27; the sums stay below 2^30. */
-static inline struct curve curve_of(const struct plane *p, int32_t a, int32_t b, int32_t c)
+static inline struct curve curve_of(const struct plane *p, const int32_t abc[3])
 {
     const int32_t x1 = p->x1, y1 = p->y1, x2 = p->x2, y2 = p->y2;
-    return (struct curve){
-        fx_mulhi_s32(a, (y2 * y2) << 3) + fx_mulhi_s32(b, (y1 * y1) << 3) - fx_mulhi_s32(c, (y1 * y2) * 8),
-        fx_mulhi_s32(a, (x2 * x2) << 3) + fx_mulhi_s32(b, (x1 * x1) << 3) - fx_mulhi_s32(c, (x1 * x2) * 8),
-        fx_mulhi_s32(c, (x1 * y2 + x2 * y1) * 4) - fx_mulhi_s32(a, (x2 * y2) * 8) - fx_mulhi_s32(b, (x1 * y1) * 8)};
+    return (struct curve){form(abc, (y2 * y2) << 3, (y1 * y1) << 3, (y1 * y2) * 8),
+                          form(abc, (x2 * x2) << 3, (x1 * x1) << 3, (x1 * x2) * 8),
+                          -form(abc, (x2 * y2) * 8, (x1 * y1) * 8, (x1 * y2 + x2 * y1) * 4)};
 }
 
 /* n / (det 2^(2 scale))^2 * 2^(31 + 8 + 2 scale) = n * (r2 / 2^32) * 2^curve_shift; a pixel is 16 sub-pixels. */
@@ -171,28 +176,13 @@ static inline int curve_shift(const struct plane *p)
     return 2 * (p->up - p->scale) - 22;
 }
 
-/* The polynomial where the origin is the centre of corner 0's pixel. Heights are at least 2 pixels, so the second
- * differences are at most 5/4 and 5/2 of 2^30 at the very worst bend; products are taken modulo 2^32, the results fit.
- */
-FX_WRAPS static inline void near_quadratic(const struct plane *plane, int32_t value, struct slope slope,
-                                           struct curve curve, struct polynomial *p)
+FX_NARROW_APART FX_WRAPS static int32_t second_difference(const struct plane *p, int32_t curve, int up)
 {
-    const int up = curve_shift(plane);
-    const int32_t a = (int32_t)shifted(fx_mulhi_s32(curve.a, plane->r2), up);
-    const int32_t b = (int32_t)shifted(fx_mulhi_s32(curve.b, plane->r2), up);
-    const int32_t c = (int32_t)shifted(fx_mulhi_s32(curve.c, plane->r2), up + 1);
-    const int32_t fx = plane->fx, fy = plane->fy;
-    uint32_t gx, gy;
-    gradient(plane, slope, &gx, &gy);
-    p->f = ((uint32_t)value << 16) + gx * (uint32_t)fx + gy * (uint32_t)fy + (uint32_t)((a >> 8) * (fx * fx)) +
-           (uint32_t)((b >> 8) * (fy * fy)) + (uint32_t)((c >> 8) * (fx * fy));
-    p->d = (gx << 4) + (uint32_t)(a >> 3) * (uint32_t)fx + (uint32_t)(c >> 4) * (uint32_t)fy;
-    p->e = (gy << 4) + (uint32_t)(b >> 3) * (uint32_t)fy + (uint32_t)(c >> 4) * (uint32_t)fx;
-    p->a = (uint32_t)a;
-    p->b = (uint32_t)b;
-    p->c = (uint32_t)c;
+    return (int32_t)shifted(fx_mulhi_s32(curve, p->r2), curve_shift(p) + up);
 }
 
+/* Where the origin is the centre of corner 0's pixel. Heights are at least 2 pixels, so the second differences are at
+ * most 5/4 and 5/2 of 2^30 at the very worst bend; products are taken modulo 2^32, the results fit. */
 FX_WRAPS void plane_quadratic(const struct plane *plane, const int32_t value[3], const int32_t bulge[3],
                               struct channel *channel)
 {
@@ -206,11 +196,21 @@ FX_WRAPS void plane_quadratic(const struct plane *plane, const int32_t value[3],
         return;
     }
     /* eq. 32: a u^2 + b v^2 + c u v + d u + e v + f, u towards corner 1, v towards corner 2. In Q28; |a|, |b| <= 2^28,
-     * |c| <= 3 * 2^28. */
-    const int32_t a = bulge[0], b = bulge[2], c = a + b - bulge[1];
-    const int32_t d1 = value[1] - value[0] - ((a + (1 << 13)) >> 14),
-                  d2 = value[2] - value[0] - ((b + (1 << 13)) >> 14);
-    near_quadratic(plane, value[0], slope_near(plane, d1, d2), curve_of(plane, a, b, c), &channel->p);
+     * |c| <= 3 * 2^28. What is linear of it is the linear channel to other corners; no sliver is left here. */
+    const int32_t abc[3] = {bulge[0], bulge[2], bulge[0] + bulge[2] - bulge[1]};
+    const int32_t ends[3] = {value[0], value[1] - ((abc[0] + (1 << 13)) >> 14),
+                             value[2] - ((abc[1] + (1 << 13)) >> 14)};
+    plane_linear(plane, ends, channel);
+    const struct curve curve = curve_of(plane, abc);
+    const int32_t a = second_difference(plane, curve.a, 0), b = second_difference(plane, curve.b, 0),
+                  c = second_difference(plane, curve.c, 1), fx = plane->fx, fy = plane->fy;
+    struct polynomial *p = &channel->p;
+    p->f += (uint32_t)((a >> 8) * (fx * fx)) + (uint32_t)((b >> 8) * (fy * fy)) + (uint32_t)((c >> 8) * (fx * fy));
+    p->d += (uint32_t)(a >> 3) * (uint32_t)fx + (uint32_t)(c >> 4) * (uint32_t)fy;
+    p->e += (uint32_t)(b >> 3) * (uint32_t)fy + (uint32_t)(c >> 4) * (uint32_t)fx;
+    p->a = (uint32_t)a;
+    p->b = (uint32_t)b;
+    p->c = (uint32_t)c;
 }
 
 FX_WRAPS void plane_values(const struct plane *plane, const struct channel *channel, int x, int y, int n, int32_t *out)
