@@ -50,16 +50,21 @@ FX_WRAPS static void finish(const struct plane *plane, int32_t value, const stru
     p->c = narrowed(w->axy * 256);
 }
 
-void plane_linear_wide(const struct plane *plane, const int32_t value[3], struct channel *channel)
+FX_WRAPS void plane_linear_wide(const struct plane *plane, const int32_t value[3], struct channel *channel)
 {
     channel->exact = plane->sliver ? PLANE_EXACT_WIDE : 0;
     if (plane->sliver) {
         plane_keep_corners(channel, value, 0);
         return;
     }
-    struct wide w = {0};
+    struct wide w;
+    struct polynomial *p = &channel->p;
     find_gradient(plane, (int64_t)value[1] - value[0], (int64_t)value[2] - value[0], &w);
-    finish(plane, value[0], &w, &channel->p);
+    p->f = narrowed(((uint64_t)(int64_t)value[0] << 16) + w.gx * (uint64_t)(int64_t)plane->fx +
+                    w.gy * (uint64_t)(int64_t)plane->fy);
+    p->d = narrowed(w.gx * 16);
+    p->e = narrowed(w.gy * 16);
+    p->a = p->b = p->c = 0;
 }
 
 void plane_quadratic_wide(const struct plane *plane, const int32_t value[3], const int32_t bulge[3],
