@@ -10,7 +10,7 @@ COLD_SRC := $(wildcard firmware/app/*.c firmware/scene/*.c hal/lm3s/*.c hal/rp20
 	firmware/memory.c $(addprefix firmware/fixed/,divide.c power.c) firmware/raster/table.c $(addprefix firmware/shade/,color6.c dots.c normal_quadratic.c part.c perspective.c piece.c plane_wide.c) $(wildcard firmware/plan/*.c) $(addprefix firmware/raster/,draw_highlight.c draw_subdivide.c draw_overveld_scan.c fine.c parts.c) \
 	$(addprefix firmware/geometry/,clip.c light.c project.c rotation.c transform.c)
 SETUP_SRC := $(wildcard tests/setups/setup_*.c)
-HOST_SRC := $(wildcard hal/host/*.c hal/panels/*.c host-tools/*/*.c) $(SETUP_SRC)
+HOST_SRC := $(wildcard hal/host/*.c hal/panels/*.c host-tools/*/*.c) $(SETUP_SRC) $(filter-out %/main.c,$(wildcard firmware/app/*.c))
 UNIT_SRC := $(wildcard tests/unit/test_*.c)
 EXHAUSTIVE_SRC := $(wildcard tests/exhaustive/*.c)
 CLI_TESTS := $(wildcard tests/cli/*.sh)
