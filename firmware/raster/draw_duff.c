@@ -10,7 +10,7 @@ RUNS_APART static void shade_run(struct raster *r, int x, int y, int n)
 
 RUNS_APART static void shade_run_near(struct raster *r, int x, int y, int n)
 {
-    dots_shade(r, x, y, n, DOTS_UNIT_NEAR);
+    dots_shade_channels(r, x, y, n, 3, DOTS_UNIT_NEAR); /* in grey too: seldom, and flash is saved */
 }
 
 static uint32_t draw(struct raster *r, struct edges *e)
