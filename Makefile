@@ -93,8 +93,9 @@ bench-setup: deps-test ## The papers' quadratic set-ups: operations, instruction
 	$(Q)$(MAKE) --no-print-directory bench-setup-table
 
 figures: deps-test ## Write the README's figures of quality and cost anew
-	$(Q)$(MAKE) --no-print-directory bench-table report-page
+	$(Q)$(MAKE) --no-print-directory bench-table bench-boards-table report-page
 	$(Q)tests/tools/figures.sh $(GLINT) $(BUILD)/bench/bench.csv $(BUILD)/report/report.csv README.md
+	$(Q){ $(MAKE) -s --no-print-directory bench-boards-table; echo; } | tests/tools/paste.sh boards/README.md
 	$(Q){ echo; $(MAKE) -s --no-print-directory bench-setup-table | sed "s/^./    &/"; echo; } | tests/tools/paste.sh tests/setups/README.md
 
 profile: deps-test ## Instructions by function: CPU=m4 RENDER="bench-torus288 x" [BANDS=8] [FIRST=1]

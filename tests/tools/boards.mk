@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # The program in firmware/app for a board: build/<board>/app.elf, with the METHODS that are named, or all.
-# boards/<board>/board.mk gives, as in boards/README.md, CPU_ HAL_ (sources) SCENES_, and where they differ from what stands below OBJ_ LINK_ EXTRA_ IMAGE_ RUN_ FLASH_.
-BOARDS := lm3s6965evb picosystem pico-st7789 pico-display2
+# boards/<board>/board.mk gives, as in boards/README.md, CPU_ HAL_ (sources) SCENES_, and where they differ from what stands
+# below OBJ_ LINK_ EXTRA_ IMAGE_ RUN_ FLASH_. mps2 and microbit are arm.mk's.
+BOARDS := $(filter-out mps2 microbit,$(patsubst boards/%/board.mk,%,$(wildcard boards/*/board.mk)))
 include boards/rp2040.mk $(BOARDS:%=boards/%/board.mk)
 APP_SRC := $(wildcard firmware/app/*.c)
 $(foreach s,$(filter-out $(SCENES) $(REPORT_SCENES),$(sort $(foreach b,$(BOARDS),$(SCENES_$(b))))),$(eval $(call scene_rule,$(s))))
