@@ -10,7 +10,7 @@ import urllib.request
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from pico import Pico
-from told import Told, host
+from told import Told, host, stack_complaint
 
 modules, glint, build = sys.argv[1:4]
 failed = 0
@@ -68,6 +68,9 @@ def tour(name, script):
             seen.append(told)
         verdict(f"{name}: {len({s.scene for s in seen})} scenes, {len({s.method for s in seen})} methods on wires without a fault",
                 ", ".join(board.faults()))
+    if script is TOUR:
+        complaint = stack_complaint(name, f"{build}/{name}/app.elf", seen[-1].stack)
+        verdict(f"{name}: {seen[-1].stack} bytes of stack are 90 to 100 % of the bound", complaint)
 
 
 def page():

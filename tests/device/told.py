@@ -30,3 +30,12 @@ def host(glint, told, size, options):
     return subprocess.run([glint, "render", f"tests/scenes/{told.scene}.json", "--size", "%dx%d" % tuple(size), "--time", told.moment,
                            "--turn", told.turn, "--tolerance", told.budget, "--output-format", "raw", "-o", "-"] + method + options,
                           check=True, stdout=subprocess.PIPE).stdout
+
+
+def stack_complaint(board, image, used):
+    """What is wrong with the stack that was used over all scenes and methods, by the bound of stack_image.py. The deepest
+    calls are then made; that an interrupt comes right there is not sure."""
+    command = ["python3", "tests/tools/stack_image.py", image, "--name", board, "--indirect", "tests/tools/indirect.txt",
+               "--measured", str(used)]
+    said = subprocess.run(command, check=False, stdout=subprocess.PIPE, text=True)
+    return said.stdout if said.returncode else None
