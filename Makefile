@@ -122,7 +122,7 @@ deps-demo: ## Install what building the tool needs: `make deps-demo all` in a CI
 deps-demo deps-test:
 	$(Q)tests/tools/deps.sh $(@:deps-%=%)
 
-image: deps-test ## The handheld's program for BOARD=picosystem, or another of boards/: build/<board>/app.elf
+image: deps-test ## The handheld's program for BOARD=picosystem, or another of boards/: build/<board>/app.elf [METHODS="x gouraud"]
 	$(Q)$(MAKE) --no-print-directory board-image
 
 run: deps-test ## Run it on the emulated BOARD; an RP2040 in a browser (SERVE=1), or SECONDS=3 KEYS="A@500 up@900-1500"
