@@ -9,6 +9,7 @@ import time
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from oled import HEIGHT, WIDTH, Oled
+from told import stack_complaint
 
 image, glint = sys.argv[1:3]
 failed = 0
@@ -36,6 +37,7 @@ class Told:
         self.bytes = int(clauses[4].split(" ")[0])
         self.running = "running" in clauses[5:]
         self.dropped = any(clause.endswith(" dropped") for clause in clauses[5:])
+        Told.stack = int(clauses[-1][len("stack "):])  # it never gets less
 
 
 def host(told):
@@ -189,6 +191,8 @@ def pictures():
         turns(oled)
         scenes_and_methods(oled)
         display_test(oled)
+    complaint = stack_complaint("lm3s6965evb", image, Told.stack)
+    verdict(f"{Told.stack} bytes of stack are 90 to 100 % of the bound", complaint)
 
 
 def altered(folder, change):

@@ -44,6 +44,7 @@ suite-device: $(foreach c,$(CPUS),$(BUILD)/$(c)/golden.elf) $(BUILD)/m0/golden.e
 	tests/tools/check_golden.sh "cortex-m0 on microbit" small $(call QEMU,m0) -kernel $(BUILD)/m0/golden.elf || status=1; \
 	$(foreach c,$(CPUS),tests/tools/check_golden.sh "$(subst -mcpu=,,$(CPU_$(c))) on $(subst -M ,,$(QEMU_$(c)))" all \
 		$(call QEMU,$(c)) -kernel $(BUILD)/$(c)/golden.elf || status=1;) \
+	bash tests/device/test_flash_lm3s.sh || status=1; \
 	python3 tests/device/test_faults.py $(BUILD)/lm3s6965evb/faults.elf || status=1; \
 	python3 tests/device/test_lm3s6965evb.py $(BUILD)/lm3s6965evb/app.elf $(GLINT) || status=1; exit $$status
 
@@ -89,8 +90,11 @@ $(BUILD)/report/flash.csv: $(REPORT_CPUS:%=$(BUILD)/%/report.elf) tests/tools/fl
 
 REPORT_JSON := $(foreach s,$(REPORT_SCENES),$(call scene_file,$(s)))
 REPORT_IDEAL := $(wildcard $(REPORT_JSON:.json=-ideal.json))
-$(BUILD)/report/index.html: $(GLINT) $(BUILD)/report/costs.csv $(BUILD)/report/flash.csv $(BUILD)/report/powers.csv $(REPORT_JSON) $(REPORT_IDEAL)
-	$(Q)$(GLINT) report -o $(@D) --costs $(@D)/costs.csv --flash $(@D)/flash.csv --powers $(@D)/powers.csv $(REPORT_JSON)
+# With the boards' section once `make bench-boards` has measured.
+REPORT_BOARDS := $(wildcard $(BUILD)/bench/boards.csv)
+$(BUILD)/report/index.html: $(GLINT) $(REPORT_BOARDS) $(BUILD)/report/costs.csv $(BUILD)/report/flash.csv $(BUILD)/report/powers.csv $(REPORT_JSON) $(REPORT_IDEAL)
+	$(Q)$(GLINT) report -o $(@D) --costs $(@D)/costs.csv --flash $(@D)/flash.csv --powers $(@D)/powers.csv \
+		$(REPORT_BOARDS:%=--boards %) $(REPORT_JSON)
 
 report-page: $(BUILD)/report/index.html
 	@echo "$<"
