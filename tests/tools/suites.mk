@@ -25,11 +25,12 @@ suite-cli: $(GLINT)
 suite-models: $(GLINT)
 	@tests/tools/models.sh $(GLINT)
 
-suite-core: $(BENCH_ELF)
+suite-core: $(BENCH_ELF) $(SIZE_ELF)
 	@status=0; \
 	tests/tools/check_source.sh || status=1; \
 	tests/tools/check_core.sh $(CPUS) -- $(CORE_SRC) || status=1; \
-	for cpu in $(CPUS); do $(call stack_tool,$$cpu) --limit 1024 || status=1; done; exit $$status
+	for cpu in $(CPUS); do $(call stack_tool,$$cpu) --limit 1024 || status=1; done; \
+	$(MAKE) suite-size || status=1; exit $$status
 
 suite-golden: $(SCENE_C)
 	@status=0; for flavour in $(MATRIX); do \
