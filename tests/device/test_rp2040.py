@@ -69,8 +69,8 @@ def tour(name, script):
         verdict(f"{name}: {len({s.scene for s in seen})} scenes, {len({s.method for s in seen})} methods on wires without a fault",
                 ", ".join(board.faults()))
     if script is TOUR:
-        complaint = stack_complaint(name, f"{build}/{name}/app.elf", seen[-1].stack)
-        verdict(f"{name}: {seen[-1].stack} bytes of stack are 90 to 100 % of the bound", complaint)
+        complaint = stack_complaint(name, f"{build}/{name}/app.elf", Told.stack)
+        verdict(f"{name}: {Told.stack} bytes of stack are 90 to 100 % of the bound", complaint)
 
 
 def page():

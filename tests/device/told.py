@@ -5,6 +5,7 @@ import subprocess
 
 class Told:
     """A line that tells of the picture on show; an AssertionError if it is none."""
+    stack = 0  # of the last line: it never gets less
 
     def __init__(self, line):
         clauses = line.split(", ") if line and line.startswith("frame ") else []
@@ -17,7 +18,7 @@ class Told:
         self.running = "running" in clauses[5:]
         self.dropped = any(clause.endswith(" dropped") for clause in clauses[5:])
         self.menu = next((clause[len("menu "):] for clause in clauses if clause.startswith("menu ")), None)
-        self.stack = next((int(clause[len("stack "):]) for clause in clauses if clause.startswith("stack ")), None)
+        Told.stack = int(clauses[-1][len("stack "):])
 
 
 def host(glint, told, size, options):
