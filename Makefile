@@ -104,7 +104,7 @@ profile: deps-test ## Instructions by function: CPU=m4 RENDER="bench-torus288 x"
 size: deps-test ## Flash and RAM of the renderer by part, for each CPU
 	$(Q)$(MAKE) --no-print-directory size-table
 
-stack: deps-test ## Worst-case stack of the renderer's entry points, for each CPU
+stack: deps-test ## Worst-case stack of the renderer's entry points on each CPU, and of the boards' programs
 	$(Q)$(MAKE) --no-print-directory stack-table
 
 golden: deps-test ## Write tests/golden/hashes.txt anew, showing what changed

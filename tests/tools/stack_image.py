@@ -63,7 +63,7 @@ def main():
     walker = stack.Walker(frames, calls, stack.read_indirect(options.indirect))
     sized, named = symbols(options.image)
     program, path = walker.worst("start_reset")
-    handler, above = max(walker.worst(name) for name in interrupts(options.image, sized))
+    handler, above = max((walker.worst(name) for name in interrupts(options.image, sized)), default=(-ENTRY, ()))
     bound, room = program + ENTRY + handler, named["link_stack_top"] - named["link_stack"]
     if options.paths:
         for name in path + ("an interrupt",) + above:
