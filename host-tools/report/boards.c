@@ -18,13 +18,8 @@ struct boards_kind {
 };
 
 static const char *const boards_program[][2] = {
-    {"flash", "flash without scenes, all methods"},
-    {"flash_x", "x alone"},
-    {"static", "static RAM"},
-    {"bands", "bands in it"},
-    {"renderer", "renderer\u2019s"},
-    {"stack", "stack"},
-    {"stack_used", "of it used"},
+    {"flash", "flash, all methods"}, {"flash_x", "x alone"}, {"static", "static RAM"},     {"bands", "bands in it"},
+    {"renderer", "renderer\u2019s"}, {"stack", "stack"},     {"stack_used", "of it used"},
 };
 static const char *const boards_picture[][2] = {
     {"drawn", "drawn"}, {"whole", "and sent whole"},           {"changes", "and its changes sent"},
