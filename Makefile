@@ -84,6 +84,9 @@ test-exhaustive: deps-test ## Whole domains of the fixed-point functions (minute
 bench: deps-test ## Instructions a frame on Cortex-M0+, M3, M4 and the host; writes build/bench/bench.csv
 	$(Q)$(MAKE) --no-print-directory bench-table
 
+bench-boards: deps-test ## What pictures cost on the emulated boards, their RAM and flash; writes build/bench/boards.csv
+	$(Q)$(MAKE) --no-print-directory bench-boards-table
+
 report: deps-test ## Pictures, errors and costs of every method on every scene, into build/report/index.html
 	$(Q)$(MAKE) --no-print-directory report-page
 
@@ -94,8 +97,9 @@ bench-stream: deps-test ## Bytes a picture of a stream, and instructions to pack
 	$(Q)$(MAKE) --no-print-directory bench-stream-table
 
 figures: deps-test ## Write the README's figures of quality and cost anew
-	$(Q)$(MAKE) --no-print-directory bench-table report-page
+	$(Q)$(MAKE) --no-print-directory bench-table bench-boards-table report-page
 	$(Q)tests/tools/figures.sh $(GLINT) $(BUILD)/bench/bench.csv $(BUILD)/report/report.csv README.md
+	$(Q){ $(MAKE) -s --no-print-directory bench-boards-table; echo; } | tests/tools/paste.sh boards/README.md
 	$(Q){ echo; $(MAKE) -s --no-print-directory bench-setup-table | sed "s/^./    &/"; echo; } | tests/tools/paste.sh tests/setups/README.md
 
 profile: deps-test ## Instructions by function: CPU=m4 RENDER="bench-torus288 x" [BANDS=8] [FIRST=1]
@@ -104,7 +108,7 @@ profile: deps-test ## Instructions by function: CPU=m4 RENDER="bench-torus288 x"
 size: deps-test ## Flash and RAM of the renderer by part, for each CPU
 	$(Q)$(MAKE) --no-print-directory size-table
 
-stack: deps-test ## Worst-case stack of the renderer's entry points, for each CPU
+stack: deps-test ## Worst-case stack of the renderer's entry points on each CPU, and of the boards' programs
 	$(Q)$(MAKE) --no-print-directory stack-table
 
 golden: deps-test ## Write tests/golden/hashes.txt anew, showing what changed
@@ -126,7 +130,7 @@ deps-demo: ## Install what building the tool needs: `make deps-demo all` in a CI
 deps-demo deps-test:
 	$(Q)tests/tools/deps.sh $(@:deps-%=%)
 
-image: deps-test ## The handheld's program for BOARD=picosystem, or another of boards/: build/<board>/app.elf
+image: deps-test ## The handheld's program for BOARD=picosystem, or another of boards/: build/<board>/app.elf; METHODS="x duff" links these alone
 	$(Q)$(MAKE) --no-print-directory board-image
 
 run: deps-test ## Run it on the emulated BOARD; an RP2040 in a browser (SERVE=1), or SECONDS=3 KEYS="A@500 up@900-1500"
@@ -184,4 +188,4 @@ include tests/tools/faults.mk
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
 .PHONY: all tool demo test test-unit test-cli test-models test-core test-golden test-device test-rp2040 test-sanitize test-exhaustive \
-	bench bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-test image run flash clean help
+	bench bench-boards bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-test image run flash clean help

@@ -5,8 +5,8 @@
 #include "raster/raster.h"
 
 /* turn: the user's, or null. */
-static void add_object(struct glint_frame *f, const struct view *view, const struct scene_object *source,
-                       const struct rotation *turn, uint32_t time_ms)
+FX_COLD static void add_object(struct glint_frame *f, const struct view *view, const struct scene_object *source,
+                               const struct rotation *turn, uint32_t time_ms)
 {
     const struct scene_mesh *mesh = scene_meshes(f->scene) + source->mesh;
     struct transform *transform = &f->raster->begin.transform;
@@ -43,7 +43,7 @@ void glint_turn(struct glint_frame *f, uint16_t yaw, uint16_t pitch)
     f->pitch = pitch;
 }
 
-int glint_frame_begin(struct glint_frame *f, const void *scene, uint32_t time_ms)
+FX_COLD int glint_frame_begin(struct glint_frame *f, const void *scene, uint32_t time_ms)
 {
     const struct scene_header *header = scene;
     if (!f || !scene)
@@ -80,6 +80,18 @@ int glint_frame_begin(struct glint_frame *f, const void *scene, uint32_t time_ms
     return 0;
 }
 
+/* A piece made by clipping: its own places, and their weights in the triangle. */
+FX_COLD static void gather_piece(struct raster *r, const struct clipped_triangle *piece)
+{
+    struct shade_input *in = &r->input;
+    for (int k = 0; k < 3; k++) {
+        in->place[k] = piece->place[SHADE_TURN(k)];
+        for (int i = 0; i < 3; i++)
+            r->weight[k][i] = piece->weight[SHADE_TURN(k)][SHADE_TURN(i)];
+    }
+    in->weight = (const uint16_t(*)[3])r->weight;
+}
+
 /* Turns a listed triangle into the rasteriser's input: corners 0, 2, 1, which is clockwise with y down. */
 static void gather(struct glint_frame *f, const struct triangle_ref *ref)
 {
@@ -104,14 +116,8 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     corner = records + triangle->corner[1] * stride;
     in->place[2] = corner;
     in->lights[2] = corner + VERTEX_LIGHTS;
-    if (piece) {
-        for (int k = 0; k < 3; k++) {
-            in->place[k] = piece->place[SHADE_TURN(k)];
-            for (int i = 0; i < 3; i++)
-                r->weight[k][i] = piece->weight[SHADE_TURN(k)][SHADE_TURN(i)];
-        }
-        in->weight = (const uint16_t(*)[3])r->weight;
-    }
+    if (piece)
+        gather_piece(r, piece);
     if (r->surface_material != triangle->material) {
         r->surface_material = triangle->material;
         surface_setup(&r->surface, f->scene, scene_materials(f->scene) + triangle->material, &r->palette);

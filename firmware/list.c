@@ -71,8 +71,8 @@ static int apex_of(const struct clip_polygon *polygon, int16_t (*place)[3])
     return 0;
 }
 
-static void store_piece(struct glint_frame *f, const struct clip_polygon *polygon, int16_t (*place)[3],
-                        const int corners[3], unsigned object, unsigned source)
+FX_COLD static void store_piece(struct glint_frame *f, const struct clip_polygon *polygon, int16_t (*place)[3],
+                                const int corners[3], unsigned object, unsigned source)
 {
     struct clipped_triangle *piece = &f->clipped[f->clipped_count];
     piece->source = (uint16_t)source;
@@ -93,9 +93,8 @@ static void store_piece(struct glint_frame *f, const struct clip_polygon *polygo
 }
 
 /* Rare, so kept out of the loop that calls it. */
-static __attribute__((noinline)) void clip(struct glint_frame *f, const struct transform *transform,
-                                           const struct scene_vertex *vertices, const struct scene_triangle *triangle,
-                                           unsigned object, unsigned source)
+FX_COLD static void clip(struct glint_frame *f, const struct transform *transform, const struct scene_vertex *vertices,
+                         const struct scene_triangle *triangle, unsigned object, unsigned source)
 {
     struct clip_polygon *polygon = &f->raster->begin.polygon[0];
     int16_t(*place)[3] = f->raster->begin.place;
@@ -114,7 +113,7 @@ static __attribute__((noinline)) void clip(struct glint_frame *f, const struct t
     int fits = 1;
     for (int k = 0; k < polygon->count; k++) {
         struct screen_point point = {0, 0, 0};
-        fits &= project_clipped(transform, polygon->corner[k].eye, &point);
+        fits &= project_clipped(transform, &polygon->corner[k].eye, &point);
         place[k][VERTEX_X] = point.x;
         place[k][VERTEX_Y] = point.y;
         place[k][VERTEX_DEPTH] = (int16_t)point.depth;
@@ -129,7 +128,8 @@ static __attribute__((noinline)) void clip(struct glint_frame *f, const struct t
     f->stats.clipped++;
     const int apex = apex_of(polygon, place);
     for (int k = 1; k <= pieces; k++) {
-        const int corners[3] = {apex, (apex + k) % polygon->count, (apex + k + 1) % polygon->count};
+        const int second = apex + k < polygon->count ? apex + k : apex + k - polygon->count;
+        const int corners[3] = {apex, second, second + 1 < polygon->count ? second + 1 : 0};
         store_piece(f, polygon, place, corners, object, source);
     }
 }

@@ -8,8 +8,8 @@
 #define BAND_ROWS 40u            /* a band takes 25,600 bytes, its depth as many */
 #define MEMORY    (160u * 1024u) /* bytes: 4000 triangles with a table */
 
-/* At the left A over B, at the right X over Y. */
-static const struct rp2040_button buttons[] = {{12, HAL_A}, {13, HAL_RIGHT}, {14, HAL_UP}, {15, HAL_DOWN}};
+/* A opens the menu, in which X goes from line to line, B and Y change one. */
+static const struct rp2040_button buttons[] = {{12, HAL_A}, {13, HAL_LEFT}, {14, HAL_DOWN}, {15, HAL_RIGHT}};
 
 /* GCTRL, VCOMS and the gammas of this glass */
 static const uint8_t extra[] = {

@@ -19,7 +19,7 @@
  *   frame SCENE METHOD MOMENT ms, N us, turn YAW,PITCH, budget N, N bytes[, running][, N dropped][, menu LINE], stack N
  *   error SCENE: reason[, menu LINE], stack N
  *   error display
- *   test NAME WIDTHxHEIGHT[, rotation DEGREES][, menu LINE]
+ *   test NAME WIDTHxHEIGHT[, rotation DEGREES][, menu LINE], stack N
  *
  * us: to draw the picture, without the display; turn: degrees, to be given to `glint render --turn`; bytes: sent to the
  * display; dropped: triangles that found no room in memory; stack: the most bytes of it that were ever in use.

@@ -33,6 +33,17 @@
 #define FX_WRAPS
 #endif
 
+/* Marks a function that is called a few times a frame or object at most, where its neighbours are not: compiled for
+ * size, and kept out of what calls it. */
+#define FX_COLD __attribute__((cold, noinline))
+
+/* Marks a function of high products that is not to be copied into each place where an ARMv6-M would make it long. */
+#if FX_NARROW
+#define FX_NARROW_APART __attribute__((noinline))
+#else
+#define FX_NARROW_APART inline
+#endif
+
 typedef int16_t q14_t;   /* unit vectors, +-2 */
 typedef int32_t q16_t;   /* lengths, linear intensities, +-32768 */
 typedef int32_t q22_t;   /* display units (256 = full intensity), +-512; the same bits are q30_t of full intensity */
@@ -148,6 +159,11 @@ static inline void fx_divmod_floor(int32_t num, int32_t den, int32_t *quotient, 
     *remainder = r + (below & den);
 #endif
 }
+
+/* n / d for d != 0, rounded towards 0 as the operator does; |n|, |d| < 2^63. A bit of the quotient at a time: a few a
+ * frame, for which libgcc's division by table and halves takes 700 to 1100 bytes more. */
+uint64_t fx_divide_u64(uint64_t n, uint64_t d);
+int64_t fx_divide_s64(int64_t n, int64_t d);
 
 /*
  * 2^63 / m for m in [2^31, 2^32): in [2^31, 2^32 - 1], within 2^-30.46 of the true value (worst at 0xf7ffbdd0), which

@@ -1,41 +1,25 @@
 /* SPDX-License-Identifier: MIT */
-/* The divide, and the rounding to the screen: inline, as it runs once a vertex. */
+/* The divide, and the rounding to the screen: in perspective inline, as it runs once a vertex. */
 #ifndef GLINT_PROJECT_H
 #define GLINT_PROJECT_H
 
 #include "geometry/transform.h"
 
-/* v * 2^-down rounded to nearest, ties up; 0 if the result is beyond `reach`. |v| < 2^29, reach <= 2^14. */
-static inline int project_round(int32_t v, int down, int32_t reach, int16_t *out)
-{
-    if (down <= 0) { /* numbers of a vertex far nearer than its object's size */
-        *out = 0;
-        if (down < -14 || v > (reach >> -down) || v < -(reach >> -down))
-            return 0;
-        *out = (int16_t)(v * (1 << -down));
-        return 1;
-    }
-    if (down > 30) {
-        *out = 0; /* less than a quarter of a sub-pixel */
-        return 1;
-    }
-    v = (v + (1 << (down - 1))) >> down; /* the half below 2^30 */
-    *out = (int16_t)v;
-    return (uint32_t)(v + reach) <= 2u * (uint32_t)reach;
-}
+/* As project_round() where down <= 0 or down > 30: a vertex far nearer than its object's size, or one so far that it is
+ * less than a quarter of a sub-pixel from the centre. */
+int project_extreme(int32_t x, int32_t y, int down, int32_t reach, struct screen_point *out);
 
-static inline int project_orthographic(const struct transform *t, struct eye_point e, int32_t reach,
-                                       struct screen_point *out)
+/* (x, y) * 2^-down rounded to nearest, ties up; 0 if either is beyond `reach`. |x|, |y| < 2^29, reach <= 2^14. */
+static inline int project_round(int32_t x, int32_t y, int down, int32_t reach, struct screen_point *out)
 {
-    uint32_t to_far = (uint32_t)(t->far_z - e.z);
-    /* to_far is below 2^(32 - up) where depth_shift = 47 - up: moved up to 32 bits it is below 2^32, and the product is
-     * the depth times 2^(47 - up), less the 32 bits that mulhi drops. */
-    unsigned up = t->depth_shift < 32 ? 32u - (unsigned)t->depth_shift : 0,
-             down = t->depth_shift > 32 ? (unsigned)t->depth_shift - 32 : 0;
-    uint32_t depth = fx_mulhi_u32(to_far << up, t->depth_scale) >> down;
-    depth = depth > DEPTH_NEAR - DEPTH_FAR ? DEPTH_NEAR - DEPTH_FAR : depth;
-    out->depth = (uint16_t)(DEPTH_FAR + depth);
-    return project_round(e.x, t->shift, reach, &out->x) & project_round(e.y, t->shift, reach, &out->y);
+    if ((unsigned)(down - 1) >= 30)
+        return project_extreme(x, y, down, reach, out);
+    const int32_t half = 1 << (down - 1); /* below 2^30 */
+    x = (x + half) >> down;
+    y = (y + half) >> down;
+    out->x = (int16_t)x;
+    out->y = (int16_t)y;
+    return (uint32_t)(x + reach) <= 2u * (uint32_t)reach && (uint32_t)(y + reach) <= 2u * (uint32_t)reach;
 }
 
 static inline int project_perspective(const struct transform *t, struct eye_point e, int32_t reach,
@@ -52,9 +36,10 @@ static inline int project_perspective(const struct transform *t, struct eye_poin
     /* x / z in units of 2^-(30 - up), |.| < |x| / 2. */
     int32_t half = (int32_t)(r >> 1);
     int shift = t->shift - (int)up;
-    return project_round(fx_mulhi_s32(e.x, half), shift, reach, &out->x) &
-           project_round(fx_mulhi_s32(e.y, half), shift, reach, &out->y);
+    return project_round(fx_mulhi_s32(e.x, half), fx_mulhi_s32(e.y, half), shift, reach, out);
 }
+
+int project_orthographic(const struct transform *t, struct eye_point e, int32_t reach, struct screen_point *out);
 
 /* Projects a point: 1, or 0 where it lies before the near plane, beyond the far one or farther from the centre than
  * `reach`. Positions are rounded to nearest sub-pixel, ties up; the value before rounding errs by less than 2^-8
@@ -74,9 +59,6 @@ static inline int project(const struct transform *t, struct eye_point e, struct 
 }
 
 /* A corner that the clipper left or made: as far as the guard band and a rounding. */
-static inline int project_clipped(const struct transform *t, struct eye_point e, struct screen_point *out)
-{
-    return project_within(t, e, GUARD + 1, out);
-}
+int project_clipped(const struct transform *t, const struct eye_point *e, struct screen_point *out);
 
 #endif

@@ -112,8 +112,8 @@ FX_WRAPS struct rotation rotation_spin(const q30_t axis[3], q16_t rate, uint32_t
 {
     /* |rate * time| < 2^24 * 2^32. Thousandths of Q16 turns; half the angle, as a quaternion wants, is a 2^-17 turn. */
     int64_t thousandths = (int64_t)rate * time_ms;
-    int64_t whole = thousandths / 1000, rest = thousandths % 1000;
-    uint32_t half = (uint32_t)((uint64_t)whole << 15) + (uint32_t)((rest * 32768) / 1000);
+    int64_t whole = fx_divide_s64(thousandths, 1000), rest = thousandths - whole * 1000;
+    uint32_t half = (uint32_t)((uint64_t)whole << 15) + (uint32_t)fx_divide_s64(rest * 32768, 1000);
     q30_t sine = fx_sin(half);
     struct rotation r = {{fx_cos(half), 0, 0, 0}};
     for (int i = 0; i < 3; i++)
@@ -149,7 +149,7 @@ static int32_t mix(int32_t a, int32_t b, uint32_t t)
 static struct pose pose_between(const struct scene_key *a, const struct scene_key *b, uint32_t time_ms)
 {
     /* Keys are sorted and different: the divisor is at least 1, the quotient below 2^16. */
-    uint32_t t = (uint32_t)(((uint64_t)(time_ms - a->time_ms) << 16) / (b->time_ms - a->time_ms));
+    uint32_t t = (uint32_t)fx_divide_u64((uint64_t)(time_ms - a->time_ms) << 16, b->time_ms - a->time_ms);
     struct pose p = {0};
     int64_t dot = 0;
     for (int i = 0; i < 4; i++)

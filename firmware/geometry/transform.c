@@ -2,7 +2,7 @@
 #include "geometry/transform.h"
 
 /* Bits of a positive number. */
-static int bits(uint64_t x)
+FX_COLD static int bits(uint64_t x)
 {
     int n = 0;
     for (; x; x >>= 1)
@@ -16,13 +16,19 @@ static int64_t magnitude(int64_t x)
 }
 
 /* x * 2^-down, rounded to nearest; down < 0 multiplies. */
-static int64_t scaled(int64_t x, int down)
+FX_COLD static int64_t scaled(int64_t x, int down)
 {
     if (down <= 0)
         return x * (INT64_C(1) << -down);
     if (down > 62)
         return 0;
     return (x + (INT64_C(1) << (down - 1))) >> down;
+}
+
+/* x * m * 2^-down where that product would not fit: of m's upper and its lower `cut` bits, each rounded. */
+FX_COLD static int64_t long_product(int64_t x, int32_t m, int cut, int down)
+{
+    return scaled(x * (m >> cut), down - cut) + scaled(x * (m & ((1 << cut) - 1)), down);
 }
 
 void view_setup(struct view *view, const struct scene_header *scene, uint16_t width, uint16_t height)
@@ -43,7 +49,8 @@ void view_setup(struct view *view, const struct scene_header *scene, uint16_t wi
         numerator = height;
         denominator = camera->reference_height;
     }
-    uint64_t focal = (((uint64_t)(uint32_t)camera->focal * numerator) << 20) / denominator; /* 16 f in Q32 */
+    uint64_t focal = (((uint64_t)(uint32_t)camera->focal * numerator) << 20); /* 16 f in Q32, times the denominator */
+    focal = fx_divide_u64(focal, denominator);
     int size = bits(focal);
     view->focal = (uint32_t)(size > 31 ? focal >> (size - 31) : focal << (31 - size));
     view->focal_exponent = 32 - (size - 31);
@@ -72,7 +79,7 @@ static void depth_setup(struct transform *t, const struct view *view, int z_expo
      */
     uint32_t range = t->range ? t->range : 1;
     unsigned up = fx_clz(range);
-    t->depth_scale = (uint32_t)(((uint64_t)(DEPTH_NEAR - DEPTH_FAR) << 47) / ((uint64_t)range << up));
+    t->depth_scale = (uint32_t)fx_divide_u64((uint64_t)(DEPTH_NEAR - DEPTH_FAR) << 47, (uint64_t)range << up);
     t->depth_shift = (int)(47 - up); /* depth = (far - z) * depth_scale >> depth_shift */
 }
 
@@ -91,14 +98,13 @@ int transform_setup(struct transform *out, const struct view *view, const struct
         for (int j = 0; j < 3; j++)
             centre += (int64_t)world.m[i][j] * mesh->centre[j]; /* Q46, below 2^62 */
         centre = scaled(centre, 22);                            /* Q24 */
-        centre = scaled(centre * (pose->scale >> 8), 8) + scaled(centre * (pose->scale & 255), 16); /* scale in Q16 */
-        offset[i] = centre + ((int64_t)pose->position[i] - view->position[i]) * 256;
+        offset[i] = long_product(centre, pose->scale, 8, 16) +  /* scale in Q16 */
+                    ((int64_t)pose->position[i] - view->position[i]) * 256;
     }
     for (int i = 0; i < 3; i++) {
         eye[i] = 0;
         for (int j = 0; j < 3; j++) /* offset < 2^47 in Q24; the matrix in Q14 + Q16 halves */
-            eye[i] += scaled(offset[j] * (view->matrix.m[i][j] >> 16), 14) +
-                      scaled(offset[j] * (view->matrix.m[i][j] & 0xffff), 30);
+            eye[i] += long_product(offset[j], view->matrix.m[i][j], 16, 30);
     }
 
     /* One position unit is extent * scale / 32768 long: Q16 * Q16 / 2^15. */
@@ -120,10 +126,29 @@ int transform_setup(struct transform *out, const struct view *view, const struct
     int far_exponent = 30 - (bits((uint64_t)view->far_plane) - 16);
     if (view->kind == CAMERA_ORTHOGRAPHIC && z_exponent > far_exponent)
         z_exponent = far_exponent;
-    int64_t coefficient[3];
-    for (int j = 0; j < 3; j++) /* Q30 * 31 bits: 2^61 */
-        coefficient[j] = -scaled((int64_t)to_eye->m[2][j] * extent, 30);
-    axis_setup(&out->z, coefficient, unit_exponent, ahead, 24, z_exponent);
+    /* x and y: times 16 f, which has 31 bits and its exponent. */
+    int64_t side = magnitude(eye[0]) > magnitude(eye[1]) ? magnitude(eye[0]) : magnitude(eye[1]);
+    int side_bits = bits((uint64_t)(side + radius)) - 24 + 31 - view->focal_exponent;
+    int xy_exponent = 29 - side_bits;
+    struct axis *const row[3] = {&out->x, &out->y, &out->z};
+    for (int i = 0; i < 3; i++) {
+        int64_t coefficient[3], sign = i ? -1 : 1; /* y grows downwards on the screen, z away from the eye */
+        for (int j = 0; j < 3; j++) {              /* Q30 * 31 bits: 2^61 */
+            int64_t c = scaled((int64_t)to_eye->m[i][j] * extent, i < 2 ? 31 : 30);
+            if (i < 2)
+                c = scaled(c * view->focal, 16); /* below 2^30, in unit_exponent - 1 */
+            coefficient[j] = sign * c;
+        }
+        if (i == 2) {
+            axis_setup(row[i], coefficient, unit_exponent, ahead, 24, z_exponent);
+            break;
+        }
+        /* eye below 2^48 in Q24: a 31-bit focal length fits after it is reduced to 40 bits. */
+        int spare = bits((uint64_t)magnitude(eye[i])) - 31;
+        spare = spare > 0 ? spare : 0;
+        axis_setup(row[i], coefficient, unit_exponent - 1 + view->focal_exponent - 16,
+                   sign * (scaled(eye[i], spare) * view->focal), 24 - spare + view->focal_exponent, xy_exponent);
+    }
     /* The planes may lie far outside the sphere: then they cut nothing, and are held inside the row's range. */
     const int64_t limit = (INT64_C(1) << 30) - 1;
     int64_t near_z = scaled((int64_t)view->near_plane, 16 - z_exponent);
@@ -133,24 +158,6 @@ int transform_setup(struct transform *out, const struct view *view, const struct
     out->near_z = (int32_t)(near_z < 1 ? 1 : near_z > limit ? limit : near_z);
     out->far_z = (int32_t)far_z;
     out->range = (uint32_t)(out->far_z - out->near_z);
-
-    /* x and y: times 16 f, which has 31 bits and its exponent. */
-    int64_t side = magnitude(eye[0]) > magnitude(eye[1]) ? magnitude(eye[0]) : magnitude(eye[1]);
-    int side_bits = bits((uint64_t)(side + radius)) - 24 + 31 - view->focal_exponent;
-    int xy_exponent = 29 - side_bits;
-    for (int i = 0; i < 2; i++) {
-        int64_t sign = i ? -1 : 1; /* y grows downwards on the screen */
-        for (int j = 0; j < 3; j++) {
-            int64_t c = scaled((int64_t)to_eye->m[i][j] * extent, 31); /* below 2^30, in unit_exponent - 1 */
-            coefficient[j] = sign * scaled(c * view->focal, 16);
-        }
-        /* eye below 2^48 in Q24: a 31-bit focal length fits after it is reduced to 40 bits. */
-        int spare = bits((uint64_t)magnitude(eye[i])) - 31;
-        spare = spare > 0 ? spare : 0;
-        int64_t t = sign * scaled(scaled(eye[i], spare) * view->focal, 0);
-        axis_setup(i ? &out->y : &out->x, coefficient, unit_exponent - 1 + view->focal_exponent - 16, t,
-                   24 - spare + view->focal_exponent, xy_exponent);
-    }
 
     out->divide = view->kind == CAMERA_PERSPECTIVE;
     out->shift = out->divide ? 30 + xy_exponent - z_exponent : xy_exponent;

@@ -47,7 +47,7 @@ static void solve(const struct search *s, const uint16_t u[3], const uint16_t v[
 {
     const int side = is_below(s, u, second);
     for (int low = 0, high = SUMMIT_ONE; high - low > 1;) {
-        int middle = (low + high) / 2;
+        int middle = (low + high) >> 1;
         between(u, v, middle, out);
         if (is_below(s, out, second) == side)
             low = middle;

@@ -3,19 +3,44 @@
 #include "raster/dots.h"
 #include "raster/runs.h"
 
-RUNS_APART static void shade_run(struct raster *r, int x, int y, int n)
+static void divide_by_length(struct raster *r, int n)
 {
-    dots_shade(r, x, y, n, DOTS_UNIT);
+    for (int i = 0; i < n; i++)
+        r->value[0][i] = perspective_divide(r->value[0][i], r->divisor[i]);
 }
 
-RUNS_APART static void shade_run_near(struct raster *r, int x, int y, int n)
+/* The quotient of what passes `reach`, up to +-2 in Q30. */
+FX_COLD static int32_t overshoot(int32_t p, struct perspective_divisor by)
 {
-    dots_shade(r, x, y, n, DOTS_UNIT_NEAR);
+    int64_t quotient = ((int64_t)p * by.half >> 30) * (INT64_C(1) << by.up); /* |p| < 2^31, half <= 2^30, up <= 9 */
+    return quotient > INT32_MAX ? INT32_MAX : quotient < -INT32_MAX ? -INT32_MAX : (int32_t)quotient;
+}
+
+/* A dot product over the normal's length. Of linear numerators it is at most 1 and roundings, but a quadratic through
+ * the samples of a near light can pass the length by far. */
+FX_WRAPS static int32_t over_length(int32_t p, struct perspective_divisor by)
+{
+    const uint32_t reach = (uint32_t)INT32_MAX >> by.up;
+    if ((uint32_t)p + reach > 2 * reach)
+        return overshoot(p, by);
+    return perspective_divide(p, by);
+}
+
+static void divide_near(struct raster *r, int n)
+{
+    for (int i = 0; i < n; i++)
+        r->value[0][i] = over_length(r->value[0][i], r->divisor[i]);
+}
+
+static void shade_run(struct raster *r, int x, int y, int n)
+{
+    raster_lengths(r, x, y, n);
+    dots_shade(r, x, y, n, r->input.object->local ? divide_near : divide_by_length);
 }
 
 static uint32_t draw(struct raster *r, struct edges *e)
 {
-    return r->input.object->local ? runs_draw(r, e, shade_run_near) : runs_draw(r, e, shade_run);
+    return runs_draw(r, e, shade_run);
 }
 
 const struct glint_method glint_duff = {GLINT_DUFF, 0, 0, shade_duff, draw, 0, 0};

@@ -3,9 +3,16 @@
 #include "raster/dots.h"
 #include "raster/runs.h"
 
-RUNS_APART static void shade_run(struct raster *r, int x, int y, int n)
+static void divide_twice(struct raster *r, int n)
 {
-    dots_shade(r, x, y, n, DOTS_PERSPECTIVE);
+    for (int i = 0; i < n; i++)
+        r->value[0][i] = perspective_divide_twice(r->value[0][i], r->divisor[i]);
+}
+
+static void shade_run(struct raster *r, int x, int y, int n)
+{
+    raster_divisors(r, x, y, n);
+    dots_shade(r, x, y, n, divide_twice);
 }
 
 static uint32_t draw(struct raster *r, struct edges *e)

@@ -53,7 +53,7 @@ RUNS_APART static void shade_run(struct raster *r, int x, int y, int n)
     const struct shade_setup *setup = &r->setup;
     if (r->surface.channels != 1 || r->surface.lights != 1 || setup->runs_only || r->surface.form ||
         !setup->diffuse_lights)
-        dots_shade(r, x, y, n, DOTS_PLAIN);
+        dots_shade(r, x, y, n, 0);
     else if (setup->specular_lights)
         shade_grey(r, x, y, n, 1);
     else

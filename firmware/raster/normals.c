@@ -114,13 +114,12 @@ static inline __attribute__((always_inline)) void add_lights(struct raster *r, i
     }
 }
 
-static __attribute__((noinline)) void add_lights_formed(struct raster *r, int n)
+FX_COLD static void add_lights_formed(struct raster *r, int n)
 {
     add_lights(r, n, 1);
 }
 
-/* Inlined twice: M0+ feels a call for each run. */
-static inline __attribute__((always_inline)) void light(struct raster *r, int n)
+static __attribute__((noinline)) void light(struct raster *r, int n)
 {
     if (r->surface.form)
         add_lights_formed(r, n);

@@ -61,3 +61,26 @@ FX_WRAPS uint32_t raster_visible(struct raster *r, int x, int y, int n)
     uint32_t i = (uint32_t)(x - r->setup.plane.ox), j = (uint32_t)(y - r->setup.plane.oy);
     return test_steps(p->f + p->e * j + p->d * i, p->d, depth, depth + n);
 }
+
+uint32_t runs_draw(struct raster *r, struct edges *e, runs_shade *shade)
+{
+    uint32_t drawn = 0;
+    int y = e->row;
+    do {
+        const struct span *span = r->span, *last = span + raster_spans(r, e);
+        for (; span != last; span++, y++) {
+            for (int x = span->x0; x < span->x1; x += RUN) {
+                int n = span->x1 - x < RUN ? span->x1 - x : RUN;
+                uint32_t mask = raster_visible(r, x, y, n);
+                if (!mask)
+                    continue;
+                drawn += (uint32_t)n;
+                for (uint32_t hidden = ~mask & ((1u << n) - 1); hidden; hidden &= hidden - 1)
+                    drawn--;
+                shade(r, x, y, n);
+                raster_write(r, x, y, mask);
+            }
+        }
+    } while (e->row < e->last);
+    return drawn;
+}

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The general way of drawing: any format, any number of lights, slivers too, in runs of up to RUN pixels. A template:
- * each method has its own copy with its shading in it.
+ * The general way of drawing: any format, any number of lights, slivers too, in runs of up to RUN pixels.
  */
 #ifndef GLINT_RUNS_H
 #define GLINT_RUNS_H
@@ -18,27 +17,6 @@ typedef void runs_shade(struct raster *r, int x, int y, int n);
 #define RUNS_APART __attribute__((noinline))
 
 /* Draws the triangle's spans; returns the pixels that passed the depth test. */
-static inline __attribute__((always_inline)) uint32_t runs_draw(struct raster *r, struct edges *e, runs_shade *shade)
-{
-    uint32_t drawn = 0;
-    int y = e->row;
-    do {
-        const struct span *span = r->span, *last = span + raster_spans(r, e);
-        for (; span != last; span++, y++) {
-            for (int x = span->x0; x < span->x1; x += RUN) {
-                int n = span->x1 - x < RUN ? span->x1 - x : RUN;
-                uint32_t mask = raster_visible(r, x, y, n);
-                if (!mask)
-                    continue;
-                drawn += (uint32_t)n;
-                for (uint32_t hidden = ~mask & ((1u << n) - 1); hidden; hidden &= hidden - 1)
-                    drawn--;
-                shade(r, x, y, n);
-                raster_write(r, x, y, mask);
-            }
-        }
-    } while (e->row < e->last);
-    return drawn;
-}
+uint32_t runs_draw(struct raster *r, struct edges *e, runs_shade *shade);
 
 #endif

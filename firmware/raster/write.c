@@ -14,17 +14,14 @@ static inline uint32_t level(uint32_t sum, uint32_t threshold, uint32_t top)
     return v > top ? top : v;
 }
 
-/* A format's pixel from its sums: a template, called with constants. */
-static inline __attribute__((always_inline)) uint32_t pack(const uint32_t sum[3], uint32_t threshold, unsigned format)
+static uint32_t pack(const struct raster *r, const uint32_t sum[3], uint32_t threshold)
 {
-    uint32_t first = level(sum[0], threshold, raster_top(format, 0));
-    if (format == GLINT_GREY8 || format == GLINT_GREY4)
+    const uint8_t *top = r->palette.top;
+    uint32_t first = level(sum[0], threshold, top[0]);
+    if (r->palette.channels == 1)
         return first;
-    uint32_t second = level(sum[1], threshold, raster_top(format, 1)),
-             third = level(sum[2], threshold, raster_top(format, 2));
-    if (format == GLINT_RGB565)
-        return first << 11 | second << 5 | third;
-    return first << 16 | second << 8 | third;
+    uint32_t second = level(sum[1], threshold, top[1]), third = level(sum[2], threshold, top[2]);
+    return r->format == GLINT_RGB565 ? first << 11 | second << 5 | third : first << 16 | second << 8 | third;
 }
 
 static inline __attribute__((always_inline)) void put(uint8_t *row, int x, uint32_t colour, unsigned format)
@@ -49,39 +46,42 @@ static inline __attribute__((always_inline)) void put(uint8_t *row, int x, uint3
 
 uint32_t raster_colour(const struct raster *r, const uint32_t sum[3])
 {
-    return pack(sum, HALF_STEP, r->format);
+    return pack(r, sum, HALF_STEP);
 }
 
-static inline __attribute__((always_inline)) void write_as(const struct raster *r, int x, int y, uint32_t mask,
-                                                           unsigned format)
+/* Pixels that a mask chooses, and ordered dither, in any format. */
+static void write_some(struct raster *r, uint8_t *row, int x, int y, uint32_t mask)
 {
-    uint8_t *row = r->pixels + (uint32_t)(y - r->y0) * r->stride;
-    const uint8_t *dither = r->dither ? bayer[y & 3] : 0;
-    if (!dither && (mask & (mask + 1)) == 0) { /* the run's first pixels, all: no bit to look at */
-        for (const uint32_t *sum = r->sum[0]; mask; sum += 3, x++, mask >>= 1)
-            put(row, x, pack(sum, HALF_STEP, format), format);
-        return;
-    }
-    for (const uint32_t *sum = r->sum[0]; mask; sum += 3, x++, mask >>= 1)
+    for (const uint32_t *sum = r->sum[0]; mask; sum += 3, x++, mask >>= 1) {
+        uint32_t threshold = r->dither ? (uint32_t)(2 * bayer[y & 3][x & 3] + 1) << 10 : HALF_STEP;
         if (mask & 1)
-            put(row, x, pack(sum, dither ? (uint32_t)(2 * dither[x & 3] + 1) << 10 : HALF_STEP, format), format);
+            put(row, x, pack(r, sum, threshold), r->format);
+    }
+}
+
+/* A run's first pixels, all, as most runs are: a loop a format, made with constants. */
+static inline __attribute__((always_inline)) void write_all(const struct raster *r, uint8_t *row, int x, uint32_t mask,
+                                                            unsigned format)
+{
+    for (const uint32_t *sum = r->sum[0]; mask; sum += 3, x++, mask >>= 1) {
+        uint32_t colour = level(sum[0], HALF_STEP, raster_top(format, 0));
+        if (format == GLINT_RGB565)
+            colour = colour << 11 | level(sum[1], HALF_STEP, 63) << 5 | level(sum[2], HALF_STEP, 31);
+        put(row, x, colour, format);
+    }
 }
 
 void raster_write(struct raster *r, int x, int y, uint32_t mask)
 {
-    switch (r->format) {
-    case GLINT_RGB565:
-        write_as(r, x, y, mask, GLINT_RGB565);
-        break;
-    case GLINT_RGB888:
-        write_as(r, x, y, mask, GLINT_RGB888);
-        break;
-    case GLINT_GREY8:
-        write_as(r, x, y, mask, GLINT_GREY8);
-        break;
-    default:
-        write_as(r, x, y, mask, GLINT_GREY4);
-    }
+    uint8_t *row = r->pixels + (uint32_t)(y - r->y0) * r->stride;
+    if (r->dither || r->format == GLINT_RGB888 || (mask & (mask + 1)) != 0)
+        write_some(r, row, x, y, mask);
+    else if (r->format == GLINT_RGB565)
+        write_all(r, row, x, mask, GLINT_RGB565);
+    else if (r->format == GLINT_GREY8)
+        write_all(r, row, x, mask, GLINT_GREY8);
+    else
+        write_all(r, row, x, mask, GLINT_GREY4);
 }
 
 /* Fills words, eight at a time. */

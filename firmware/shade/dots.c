@@ -83,25 +83,23 @@ FX_WRAPS void dots_quadratic(struct shade_setup *setup, const int32_t value[3], 
         plane_quadratic_large(&setup->plane, value, bulge, channel);
 }
 
-typedef unsigned fold_function(unsigned n, const int32_t value[3], const int32_t bulge[3], int32_t value_out[3],
-                               int32_t bulge_out[3]);
-
 static void interpolate(struct shade_setup *setup, const struct shade_input *in, unsigned index, int linear,
-                        int32_t value[3], int32_t bulge[3], const struct perspective *perspective, fold_function *fold)
+                        int32_t value[3], int32_t bulge[3], const struct perspective *perspective,
+                        const struct glint_power *form)
 {
     struct channel *channel = &setup->channel[index];
     if (in->weight)
         piece_quadratic(in->weight, value, bulge);
-    if (fold) {
+    if (form) {
         int32_t folded[3];
-        setup->folded = (uint8_t)fold(in->surface->power->exponent, value, bulge, folded, bulge);
+        setup->folded = (uint8_t)form->fold(in->surface->power->exponent, value, bulge, folded, bulge);
         if (linear)
-            plane_linear_wide(&setup->plane, folded, channel);
+            form->linear(&setup->plane, folded, channel);
         else
             plane_quadratic_wide(&setup->plane, folded, bulge, channel);
         setup->quadratic |= (uint8_t)!linear;
     } else if (perspective) {
-        perspective_quadratic(perspective, &setup->plane, value, bulge, channel);
+        perspective->quadratic(perspective, &setup->plane, value, bulge, channel);
     } else if (linear) {
         plane_linear(&setup->plane, value, channel);
     } else {
@@ -121,7 +119,7 @@ void dots_setup(struct shade_setup *setup, const struct shade_input *in, const s
     setup->runs_only = setup->depth.exact != 0;
     setup->perspective = perspective ? (uint8_t)(perspective->up + 1u) : 0;
     plane_setup_quadratic(&setup->plane);
-    fold_function *fold = s->form && factors->are_dots && !perspective && !in->tabled ? s->form->fold : 0;
+    const int folds = s->form && s->form->fold && factors->are_dots && !perspective && !in->tabled;
     for (unsigned i = 0; i < s->lights; i++) {
         struct dots_samples samples;
         uint8_t *const shown[2] = {&setup->diffuse_lights, &setup->specular_lights};
@@ -139,7 +137,7 @@ void dots_setup(struct shade_setup *setup, const struct shade_input *in, const s
                 continue;
             *shown[which] |= (uint8_t)(1u << i);
             interpolate(setup, in, 2 * i + which, error < s->bend_limit, samples.corner[which], bulge, perspective,
-                        which ? fold : 0);
+                        which && folds ? s->form : 0);
         }
     }
 }

@@ -243,7 +243,7 @@ static __attribute__((noinline)) void narrow(struct shade_setup *setup, const st
         struct channel *channel = &setup->channel[c];
         channel->exact = 0;
         channel->p = (struct polynomial){0, 0, 0, 0, 0, 0};
-        channel->p.f = (uint32_t)((((int64_t)sum << 16) + (slope * off >> 19)) / 3); /* 2^30 * 3 2^30 */
+        channel->p.f = (uint32_t)fx_divide_s64(((int64_t)sum << 16) + (slope * off >> 19), 3); /* 2^30 * 3 2^30 */
         *(steep ? &channel->p.e : &channel->p.d) = (uint32_t)slope;
     }
 }

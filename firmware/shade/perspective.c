@@ -14,6 +14,7 @@ int perspective_setup(struct perspective *p, const struct shade_input *in)
     if (closeness[0] == closeness[1] && closeness[1] == closeness[2])
         return 0;
     p->up = (uint8_t)(fx_clz(most) - 16);
+    p->quadratic = perspective_quadratic;
     for (int k = 0; k < 3; k++)
         p->s[k] = (uint16_t)(closeness[k] << p->up);
     return 1;

@@ -19,6 +19,9 @@
 struct perspective {
     uint16_t s[3];
     uint8_t up; /* s is closeness times 2^up */
+    /* perspective_quadratic(): by pointer, so that only methods that are correct in perspective link it */
+    void (*quadratic)(const struct perspective *p, const struct plane *plane, const int32_t value[3],
+                      const int32_t bulge[3], struct channel *channel);
 };
 
 /* Returns 0, and perspective makes no difference, for an orthographic view or a triangle at one distance. */

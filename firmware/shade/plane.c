@@ -133,19 +133,11 @@ FX_WRAPS static inline void gradient(const struct plane *p, struct slope n, uint
     }
 }
 
-static void keep_corners(struct channel *channel, const int32_t value[3], const int32_t bulge[3])
-{
-    for (int i = 0; i < 3; i++) {
-        channel->corner.value[i] = value[i];
-        channel->corner.bulge[i] = bulge ? bulge[i] : 0;
-    }
-}
-
 FX_WRAPS void plane_linear(const struct plane *plane, const int32_t value[3], struct channel *channel)
 {
     channel->exact = plane->sliver; /* PLANE_EXACT */
     if (plane->sliver) {
-        keep_corners(channel, value, 0);
+        plane_keep_corners(channel, value, 0);
         return;
     }
     uint32_t gx, gy;
@@ -162,15 +154,20 @@ struct curve {
     int32_t a, b, c;
 };
 
+/* a p + b q - c r, of the high words. Apart, as an ARMv6-M's high products are long. */
+FX_NARROW_APART static int32_t form(const int32_t abc[3], int32_t p, int32_t q, int32_t r)
+{
+    return fx_mulhi_s32(abc[0], p) + fx_mulhi_s32(abc[1], q) - fx_mulhi_s32(abc[2], r);
+}
+
 /* Coordinates are below 2^14, their products below 2^28 and times 8 below 2^31. Each high product is half of
  * coefficient * product: below 2^27, for c 3 * 2^27; the sums stay below 2^30. */
-static inline struct curve curve_of(const struct plane *p, int32_t a, int32_t b, int32_t c)
+static inline struct curve curve_of(const struct plane *p, const int32_t abc[3])
 {
     const int32_t x1 = p->x1, y1 = p->y1, x2 = p->x2, y2 = p->y2;
-    return (struct curve){
-        fx_mulhi_s32(a, (y2 * y2) << 3) + fx_mulhi_s32(b, (y1 * y1) << 3) - fx_mulhi_s32(c, (y1 * y2) * 8),
-        fx_mulhi_s32(a, (x2 * x2) << 3) + fx_mulhi_s32(b, (x1 * x1) << 3) - fx_mulhi_s32(c, (x1 * x2) * 8),
-        fx_mulhi_s32(c, (x1 * y2 + x2 * y1) * 4) - fx_mulhi_s32(a, (x2 * y2) * 8) - fx_mulhi_s32(b, (x1 * y1) * 8)};
+    return (struct curve){form(abc, (y2 * y2) << 3, (y1 * y1) << 3, (y1 * y2) * 8),
+                          form(abc, (x2 * x2) << 3, (x1 * x1) << 3, (x1 * x2) * 8),
+                          -form(abc, (x2 * y2) * 8, (x1 * y1) * 8, (x1 * y2 + x2 * y1) * 4)};
 }
 
 /* n / (det 2^(2 scale))^2 * 2^(31 + 8 + 2 scale) = n * (r2 / 2^32) * 2^curve_shift; a pixel is 16 sub-pixels. */
@@ -179,112 +176,19 @@ static inline int curve_shift(const struct plane *p)
     return 2 * (p->up - p->scale) - 22;
 }
 
-/* The polynomial where the origin is the centre of corner 0's pixel. Heights are at least 2 pixels, so the second
- * differences are at most 5/4 and 5/2 of 2^30 at the very worst bend; products are taken modulo 2^32, the results fit.
- */
-FX_WRAPS static inline void near_quadratic(const struct plane *plane, int32_t value, struct slope slope,
-                                           struct curve curve, struct polynomial *p)
+FX_NARROW_APART FX_WRAPS static int32_t second_difference(const struct plane *p, int32_t curve, int up)
 {
-    const int up = curve_shift(plane);
-    const int32_t a = (int32_t)shifted(fx_mulhi_s32(curve.a, plane->r2), up);
-    const int32_t b = (int32_t)shifted(fx_mulhi_s32(curve.b, plane->r2), up);
-    const int32_t c = (int32_t)shifted(fx_mulhi_s32(curve.c, plane->r2), up + 1);
-    const int32_t fx = plane->fx, fy = plane->fy;
-    uint32_t gx, gy;
-    gradient(plane, slope, &gx, &gy);
-    p->f = ((uint32_t)value << 16) + gx * (uint32_t)fx + gy * (uint32_t)fy + (uint32_t)((a >> 8) * (fx * fx)) +
-           (uint32_t)((b >> 8) * (fy * fy)) + (uint32_t)((c >> 8) * (fx * fy));
-    p->d = (gx << 4) + (uint32_t)(a >> 3) * (uint32_t)fx + (uint32_t)(c >> 4) * (uint32_t)fy;
-    p->e = (gy << 4) + (uint32_t)(b >> 3) * (uint32_t)fy + (uint32_t)(c >> 4) * (uint32_t)fx;
-    p->a = (uint32_t)a;
-    p->b = (uint32_t)b;
-    p->c = (uint32_t)c;
+    return (int32_t)shifted(fx_mulhi_s32(curve, p->r2), curve_shift(p) + up);
 }
 
-/* x m / 2^32 2^up modulo 2^64, rounded where up < 0; |x| < 2^63. */
-FX_WRAPS static uint64_t product(int64_t x, uint32_t m, int up)
-{
-    const int64_t t = (x >> 32) * (int64_t)m + (int64_t)((uint64_t)(uint32_t)x * m >> 32);
-    if (up >= 0)
-        return (uint64_t)t << up;
-    return (uint64_t)((t + (INT64_C(1) << (-up - 1))) >> -up);
-}
-
-/* A gradient from corner differences d1, d2, |d| < 2^33.6, a sub-pixel's step times 2^16: slopes are below 2^49.6. */
-static inline void gradient_wide(const struct plane *p, int64_t d1, int64_t d2, uint64_t *gx, uint64_t *gy)
-{
-    *gx = product(d1 * p->whole_y2 - d2 * p->whole_y1, p->r, p->up - 15);
-    *gy = product(d2 * p->whole_x1 - d1 * p->whole_x2, p->r, p->up - 15);
-}
-
-FX_WRAPS void plane_linear_wide(const struct plane *plane, const int32_t value[3], struct channel *channel)
-{
-    channel->exact = plane->sliver ? PLANE_EXACT_WIDE : 0;
-    if (plane->sliver) {
-        keep_corners(channel, value, 0);
-        return;
-    }
-    uint64_t gx, gy;
-    const uint64_t x = (uint64_t)(int64_t)plane->fx, y = (uint64_t)(int64_t)plane->fy, half = 1u << 15;
-    gradient_wide(plane, (int64_t)value[1] - value[0], (int64_t)value[2] - value[0], &gx, &gy);
-    struct polynomial *p = &channel->p;
-    p->f = (uint32_t)((((uint64_t)(int64_t)value[0] << 16) + gx * x + gy * y + half) >> 16);
-    p->d = (uint32_t)((gx * 16 + half) >> 16);
-    p->e = (uint32_t)((gy * 16 + half) >> 16);
-    p->a = p->b = p->c = 0;
-}
-
-/*
- * In Q46 of 1 and sub-pixels until the end, so that an origin far from corner 0 costs no accuracy: offsets are up to
- * 2^15, and half a unit of the last place becomes 2^-17 of a unit of Q30.
- */
-FX_WRAPS void plane_quadratic_wide(const struct plane *plane, const int32_t value[3], const int32_t bulge[3],
-                                   struct channel *channel)
-{
-    channel->exact = plane->thin ? PLANE_EXACT_WIDE : 0;
-    if (plane->thin) {
-        keep_corners(channel, value, bulge);
-        return;
-    }
-    const int64_t x1 = plane->whole_x1, y1 = plane->whole_y1, x2 = plane->whole_x2, y2 = plane->whole_y2;
-    /* Coefficients of eq. 32 in Q28: |a|, |b| <= 2^31, |c| <= 3 * 2^31; d in Q30, at most 2^32 + 2^33. */
-    const int64_t a = bulge[0], b = bulge[2], c = a + b - bulge[1];
-    const int64_t d1 = (int64_t)value[1] - value[0] - a * 4, d2 = (int64_t)value[2] - value[0] - b * 4;
-    /* det^2 times half the second differences, coefficients in
-     * Q26: twice (2^29 + 2^29 + 3 * 2^29) * 2^30 < 2^62.4. */
-    const uint32_t r2 = fx_mulhi_u32(plane->r, plane->r);
-    const int up = plane->up;
-    uint64_t gx, gy;
-    gradient_wide(plane, d1, d2, &gx, &gy);
-    const uint64_t ax = product((a >> 2) * (y2 * y2) + (b >> 2) * (y1 * y1) - (c >> 2) * (y1 * y2), r2, 2 * up - 42);
-    const uint64_t ay = product((a >> 2) * (x2 * x2) + (b >> 2) * (x1 * x1) - (c >> 2) * (x1 * x2), r2, 2 * up - 42);
-    const uint64_t axy =
-        product((c >> 2) * (x1 * y2 + x2 * y1) - (a >> 2) * (2 * x2 * y2) - (b >> 2) * (2 * x1 * y1), r2, 2 * up - 42);
-    const uint64_t x = (uint64_t)(int64_t)plane->fx, y = (uint64_t)(int64_t)plane->fy, half = 1u << 15;
-    struct polynomial *p = &channel->p;
-    p->f = (uint32_t)((((uint64_t)(int64_t)value[0] << 16) + gx * x + gy * y + ax * x * x + ay * y * y + axy * x * y +
-                       half) >>
-                      16);
-    p->d = (uint32_t)(((gx + 2 * ax * x + axy * y) * 16 + half) >> 16);
-    p->e = (uint32_t)(((gy + 2 * ay * y + axy * x) * 16 + half) >> 16);
-    p->a = (uint32_t)((ax * 256 + half) >> 16);
-    p->b = (uint32_t)((ay * 256 + half) >> 16);
-    p->c = (uint32_t)((axy * 256 + half) >> 16);
-}
-
-__attribute__((noinline)) void plane_quadratic_large(const struct plane *plane, const int32_t value[3],
-                                                     const int32_t bulge[3], struct channel *channel)
-{
-    const int32_t q30[3] = {value[0] * 65536, value[1] * 65536, value[2] * 65536};
-    plane_quadratic_wide(plane, q30, bulge, channel);
-}
-
+/* Where the origin is the centre of corner 0's pixel. Heights are at least 2 pixels, so the second differences are at
+ * most 5/4 and 5/2 of 2^30 at the very worst bend; products are taken modulo 2^32, the results fit. */
 FX_WRAPS void plane_quadratic(const struct plane *plane, const int32_t value[3], const int32_t bulge[3],
                               struct channel *channel)
 {
     channel->exact = plane->thin; /* PLANE_EXACT */
     if (plane->thin) {
-        keep_corners(channel, value, bulge);
+        plane_keep_corners(channel, value, bulge);
         return;
     }
     if (plane->far) {
@@ -292,54 +196,27 @@ FX_WRAPS void plane_quadratic(const struct plane *plane, const int32_t value[3],
         return;
     }
     /* eq. 32: a u^2 + b v^2 + c u v + d u + e v + f, u towards corner 1, v towards corner 2. In Q28; |a|, |b| <= 2^28,
-     * |c| <= 3 * 2^28. */
-    const int32_t a = bulge[0], b = bulge[2], c = a + b - bulge[1];
-    const int32_t d1 = value[1] - value[0] - ((a + (1 << 13)) >> 14),
-                  d2 = value[2] - value[0] - ((b + (1 << 13)) >> 14);
-    near_quadratic(plane, value[0], slope_near(plane, d1, d2), curve_of(plane, a, b, c), &channel->p);
-}
-
-/* The barycentric way: u, v, w in Q16 from edge functions, clamped to the triangle. (px, py) is the pixel's centre from
- * corner 0 in sub-pixels. */
-FX_WRAPS static int32_t exact_value(const struct plane *plane, const struct channel *channel, int32_t px, int32_t py)
-{
-    const int32_t *value = channel->corner.value, *bulge = channel->corner.bulge;
-    /* |px|, |py| <= 2^15. Inside the triangle both numerators lie in [0, det]: they fit though a product's difference
-     * may not on the way. */
-    int32_t nu = (int32_t)((uint32_t)(px * plane->whole_y2) - (uint32_t)(py * plane->whole_x2));
-    int32_t nv = (int32_t)((uint32_t)(py * plane->whole_x1) - (uint32_t)(px * plane->whole_y1));
-    int32_t det = (int32_t)plane->det;
-    nu = nu < 0 ? 0 : nu > det ? det : nu;
-    nv = nv < 0 ? 0 : nv > det - nu ? det - nu : nv;
-    uint32_t u = fx_mulhi_u32((uint32_t)nu << plane->up, plane->r) >> 15; /* n / det in Q31, then Q16: <= 65536 */
-    uint32_t v = fx_mulhi_u32((uint32_t)nv << plane->up, plane->r) >> 15;
-    v = u + v > 65536 ? 65536 - u : v;
-    uint32_t w = 65536 - u - v;
-    /* Corner values differ by less than 2^16; the true sum fits, the products are modulo 2^32. Weights' products are
-     * Q32, at most 2^30. */
-    uint32_t linear;
-    if (channel->exact == PLANE_EXACT_WIDE) /* weights in Q30: a quarter of each term */
-        linear = (uint32_t)(fx_mulhi_s32(value[0], (int32_t)(w << 14)) + fx_mulhi_s32(value[1], (int32_t)(u << 14)) +
-                            fx_mulhi_s32(value[2], (int32_t)(v << 14)))
-                 << 2;
-    else
-        linear = ((uint32_t)value[0] << 16) + (uint32_t)(value[1] - value[0]) * u + (uint32_t)(value[2] - value[0]) * v;
-    int32_t bend = fx_mulhi_s32(bulge[0], (int32_t)(w * u)) + fx_mulhi_s32(bulge[1], (int32_t)(u * v)) +
-                   fx_mulhi_s32(bulge[2], (int32_t)(v * w));
-    return (int32_t)(linear - ((uint32_t)bend << 2));
-}
-
-static void exact_values(const struct plane *plane, const struct channel *channel, int x, int y, int n, int32_t *out)
-{
-    int32_t px = (x - plane->ox) * 16 + plane->fx, py = (y - plane->oy) * 16 + plane->fy;
-    for (int i = 0; i < n; i++, px += 16)
-        out[i] = exact_value(plane, channel, px, py);
+     * |c| <= 3 * 2^28. What is linear of it is the linear channel to other corners; no sliver is left here. */
+    const int32_t abc[3] = {bulge[0], bulge[2], bulge[0] + bulge[2] - bulge[1]};
+    const int32_t ends[3] = {value[0], value[1] - ((abc[0] + (1 << 13)) >> 14),
+                             value[2] - ((abc[1] + (1 << 13)) >> 14)};
+    plane_linear(plane, ends, channel);
+    const struct curve curve = curve_of(plane, abc);
+    const int32_t a = second_difference(plane, curve.a, 0), b = second_difference(plane, curve.b, 0),
+                  c = second_difference(plane, curve.c, 1), fx = plane->fx, fy = plane->fy;
+    struct polynomial *p = &channel->p;
+    p->f += (uint32_t)((a >> 8) * (fx * fx)) + (uint32_t)((b >> 8) * (fy * fy)) + (uint32_t)((c >> 8) * (fx * fy));
+    p->d += (uint32_t)(a >> 3) * (uint32_t)fx + (uint32_t)(c >> 4) * (uint32_t)fy;
+    p->e += (uint32_t)(b >> 3) * (uint32_t)fy + (uint32_t)(c >> 4) * (uint32_t)fx;
+    p->a = (uint32_t)a;
+    p->b = (uint32_t)b;
+    p->c = (uint32_t)c;
 }
 
 FX_WRAPS void plane_values(const struct plane *plane, const struct channel *channel, int x, int y, int n, int32_t *out)
 {
     if (channel->exact) {
-        exact_values(plane, channel, x, y, n, out);
+        plane_exact_values(plane, channel, x, y, n, out);
         return;
     }
     const struct polynomial *p = &channel->p;

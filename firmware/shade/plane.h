@@ -81,4 +81,9 @@ void plane_quadratic_wide(const struct plane *plane, const int32_t value_q30[3],
 /* Values of a channel at n pixels from (x, y) rightwards; y down, picture coordinates. */
 void plane_values(const struct plane *plane, const struct channel *channel, int x, int y, int n, int32_t *out);
 
+/* Where no polynomial would do: what plane_values() does then, and what a channel keeps for it (`bulge` null: linear).
+ */
+void plane_keep_corners(struct channel *channel, const int32_t value[3], const int32_t bulge[3]);
+void plane_exact_values(const struct plane *plane, const struct channel *channel, int x, int y, int n, int32_t *out);
+
 #endif

@@ -9,7 +9,7 @@ static void run_exact(unsigned n, int32_t *value, int count)
         value[i] = (int32_t)fx_power_exact(n, value[i]);
 }
 
-const struct glint_power glint_power_exact = {run_exact, 0, 0};
+const struct glint_power glint_power_exact = {run_exact, 0, 0, 0};
 
 /* v in Q30 to its 2^squarings-th power in Q15; 0 below 0, 1 above 1. A square rounded to 16 bits errs by 2^-17, which
  * each later one at most doubles: in all below 2^-12. */
@@ -86,7 +86,7 @@ static inline __attribute__((always_inline)) void run_folded(unsigned n, unsigne
     {                                                                                                              \
         run_folded(n, down, value, count, squarings);                                                              \
     }                                                                                                              \
-    const struct glint_power glint_power_##gamma = {run_##gamma, fold_##gamma, run_folded_##gamma};
+    const struct glint_power glint_power_##gamma = {run_##gamma, fold_##gamma, run_folded_##gamma, plane_linear_wide};
 
 POWER_FREE(4, 2)
 POWER_FREE(8, 3)

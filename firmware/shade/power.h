@@ -10,7 +10,7 @@
 #ifndef GLINT_POWER_H
 #define GLINT_POWER_H
 
-#include "fixed/fixed.h"
+#include "shade/plane.h"
 
 struct glint_power {
     /* N.H in Q30 to its power in Q15, 0..32768, in place, 0 where N.H is not above 0; n is the exponent. */
@@ -21,6 +21,8 @@ struct glint_power {
                      int32_t bulge_out[3]);
     /* The rest of the power, from that in Q(30 - down). As above, 0 where N.H is not above 0. */
     void (*run_folded)(unsigned n, unsigned down, int32_t *value, int count);
+    /* What puts a folded linear channel on the plane: plane_linear_wide(), linked with the form alone. */
+    void (*linear)(const struct plane *plane, const int32_t value[3], struct channel *channel);
 };
 
 #endif

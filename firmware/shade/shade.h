@@ -30,7 +30,7 @@ struct shade_input {
 };
 
 /* Which of the source's corners is the input's corner k. */
-#define SHADE_TURN(k) ((3 - (k)) % 3)
+#define SHADE_TURN(k) ((k) ? 3 - (k) : 0)
 
 /* Channels: per light N.L then N.H (x, six, duff), finished colours (gouraud, color6), or the normal's components
  * and the place's (phong, overveld, biquadratic). */

@@ -14,60 +14,57 @@ static uint32_t luma(const uint32_t rgb[3])
 }
 
 /* Q15 intensities to the palette's channels: steps in Q(15 + fraction - 15). */
-static void to_steps(const struct palette *palette, const uint32_t rgb_q15[3], unsigned down, uint32_t *out)
+FX_COLD static void to_steps(const struct palette *palette, const uint32_t rgb_q15[3], unsigned down, uint32_t *out)
 {
-    if (palette->channels == 1) {
-        out[0] = (luma(rgb_q15) * palette->top[0]) >> down; /* 2^15 * 255 */
-        return;
-    }
-    for (unsigned c = 0; c < 3; c++)
-        out[c] = (rgb_q15[c] * palette->top[c]) >> down;
+    const uint32_t grey = palette->channels == 1 ? luma(rgb_q15) : 0;
+    for (unsigned c = 0; c < 3; c++) /* 2^15 * 255; of a grey palette the others' tops are 0 */
+        out[c] = ((palette->channels == 1 ? grey : rgb_q15[c]) * palette->top[c]) >> down;
 }
 
-void surface_colour(const struct palette *palette, const uint16_t rgb_q15[3], uint32_t *out)
+FX_COLD void surface_colour(const struct palette *palette, const uint16_t rgb_q15[3], uint32_t *out)
 {
     uint32_t rgb[3] = {rgb_q15[0], rgb_q15[1], rgb_q15[2]};
     to_steps(palette, rgb, 0, out);
 }
 
-static uint16_t most(const uint16_t *steps, unsigned channels)
+/* A light's part of a material, Q8 steps at full intensity; returns the largest channel's. */
+static uint16_t reflected(const struct palette *palette, const uint16_t material[3], uint16_t share,
+                          const uint16_t light[3], uint16_t out[3])
 {
-    uint16_t largest = steps[0];
-    for (unsigned c = 1; c < channels; c++)
-        largest = steps[c] > largest ? steps[c] : largest;
-    return largest;
+    uint32_t rgb[3], steps[3];
+    uint16_t most = 0;
+    for (unsigned c = 0; c < 3; c++)
+        rgb[c] = times(times(material[c], light[c]), share);
+    to_steps(palette, rgb, 7, steps);
+    for (unsigned c = 0; c < 3; c++) {
+        out[c] = (uint16_t)steps[c];
+        most = out[c] > most ? out[c] : most;
+    }
+    return most;
 }
 
-void surface_setup(struct surface *surface, const struct scene_header *scene, const struct scene_material *material,
-                   const struct palette *palette)
+FX_COLD void surface_setup(struct surface *surface, const struct scene_header *scene,
+                           const struct scene_material *material, const struct palette *palette)
 {
-    uint32_t rgb[3], steps[3] = {0, 0, 0};
+    static const uint8_t limit[SCENE_MAX_LIGHTS + 1] = {128, 128, 64, 42, 32, 25, 21, 18, 16}; /* 128 / lights */
+    uint32_t rgb[3];
     surface->power = scene_powers(scene) + material->power;
     surface->channels = palette->channels;
     surface->lights = (uint8_t)scene->light_count;
     surface->highlights = 0;
-    surface->bend_limit = (uint8_t)(128u / (scene->light_count ? scene->light_count : 1u));
+    surface->bend_limit = limit[scene->light_count];
     for (unsigned c = 0; c < 3; c++)
         rgb[c] = times(times(material->diffuse[c], scene->ambient[c]), material->ka);
     to_steps(palette, rgb, 0, surface->base);
-    for (unsigned c = 0; c < palette->channels; c++)
+    for (unsigned c = 0; c < 3; c++)
         surface->top[c] = (uint32_t)palette->top[c] << 15;
     const struct scene_light *light = scene_lights(scene);
     for (unsigned i = 0; i < scene->light_count; i++) {
-        for (unsigned c = 0; c < 3; c++)
-            rgb[c] = times(times(material->diffuse[c], light[i].colour[c]), material->kd);
-        to_steps(palette, rgb, 7, steps);
-        for (unsigned c = 0; c < palette->channels; c++)
-            surface->light[i].diffuse[c] = (uint16_t)steps[c];
-        for (unsigned c = 0; c < 3; c++)
-            rgb[c] = times(times(material->specular[c], light[i].colour[c]), material->ks);
-        to_steps(palette, rgb, 7, steps);
-        for (unsigned c = 0; c < palette->channels; c++) {
-            surface->light[i].specular[c] = (uint16_t)steps[c];
-            surface->highlights |= steps[c] != 0;
-        }
-        surface->light[i].diffuse_most = most(surface->light[i].diffuse, palette->channels);
-        surface->light[i].specular_most = most(surface->light[i].specular, palette->channels);
+        surface->light[i].diffuse_most =
+            reflected(palette, material->diffuse, material->kd, light[i].colour, surface->light[i].diffuse);
+        surface->light[i].specular_most =
+            reflected(palette, material->specular, material->ks, light[i].colour, surface->light[i].specular);
+        surface->highlights |= surface->light[i].specular_most != 0;
     }
 }
 

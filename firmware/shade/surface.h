@@ -32,7 +32,7 @@ struct surface {
 void surface_setup(struct surface *surface, const struct scene_header *scene, const struct scene_material *material,
                    const struct palette *palette);
 
-/* A colour of the scene in Q15 steps; `out` has palette->channels entries. */
+/* A colour of the scene in Q15 steps; `out` has 3 entries, of a grey palette the others 0. */
 void surface_colour(const struct palette *palette, const uint16_t rgb_q15[3], uint32_t *out);
 
 /* Adds diffuse light: n_dot_l in Q30, clamped below at 0. At most 1.0887 * 2^15 * 255 * 2^8 < 2^31.2: unsigned. */

@@ -26,7 +26,7 @@
 /* Written by the interrupt alone: `come`, `lost`; by the reader alone: `gone`. Both counts are modulo 2^32. */
 static struct {
     volatile uint32_t come, gone, lost;
-    uint8_t bytes[SERIAL_WAITING];
+    volatile uint8_t bytes[SERIAL_WAITING];
 } uart_ring;
 
 void uart_start(uint32_t divisor)
@@ -84,6 +84,12 @@ void serial_write(const void *bytes, uint32_t count)
     }
 }
 
+void uart_drain(void)
+{
+    while (uart_awake() && UART_FLAGS & FLAG_BUSY)
+        ;
+}
+
 void machine_write(const char *text)
 {
     uint32_t length = 0;
@@ -109,8 +115,7 @@ _Noreturn void machine_exit(int code)
     char text[] = "exit 0\n";
     text[5] = (char)('0' + (code & 7));
     machine_write(text);
-    while (uart_awake() && UART_FLAGS & FLAG_BUSY)
-        ;
+    uart_drain();
     __asm volatile("cpsid i");
     for (;;)
         __asm volatile("wfi");

@@ -14,6 +14,9 @@ int uart_awake(void);
 /* 8 bits, no parity; the divisor is the clock over 16 times the baud rate, in 1/64. Its interrupt has to be enabled. */
 void uart_start(uint32_t divisor);
 
+/* Returns when the last byte is on the line. */
+void uart_drain(void);
+
 /* The block's interrupt. */
 void uart_interrupt(void);
 

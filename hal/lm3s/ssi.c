@@ -34,23 +34,31 @@ static struct {
     volatile uint32_t rows; /* this one included */
 } ssi_run;
 
+static inline void ssi_put(const uint8_t *byte, uint32_t swap)
+{
+    SSI_DATA = *(const uint8_t *)((uintptr_t)byte ^ swap);
+    (void)SSI_DATA; /* nobody sends: what is received is dropped */
+}
+
+/* 33 instructions for four bytes, which take 448 cycles on the wire at 3.6 MHz. */
 void lm3s_ssi_interrupt(void)
 {
     const uint8_t *next = ssi_run.next;
-    uint32_t left = ssi_run.left, swap = ssi_run.swap, count = left < SSI_HALF ? left : SSI_HALF;
-    for (uint32_t i = 0; i < count; i++, next++) {
-        SSI_DATA = *(const uint8_t *)((uintptr_t)next ^ swap);
-        (void)SSI_DATA; /* nobody sends: what is received is dropped */
+    uint32_t left = ssi_run.left, swap = ssi_run.swap;
+    if (left > SSI_HALF) {
+#pragma GCC unroll 4
+        for (uint32_t i = 0; i < SSI_HALF; i++)
+            ssi_put(next + i, swap);
+        ssi_run.next = next + SSI_HALF;
+        ssi_run.left = left - SSI_HALF;
+        return;
     }
-    left -= count;
-    if (left == 0) {
-        left = ssi_run.row_bytes;
-        next += ssi_run.skip;
-        if (--ssi_run.rows == 0)
-            SSI_MASK = 0;
-    }
-    ssi_run.next = next;
-    ssi_run.left = left;
+    for (; left; left--)
+        ssi_put(next++, swap);
+    ssi_run.next = next + ssi_run.skip;
+    ssi_run.left = ssi_run.row_bytes;
+    if (--ssi_run.rows == 0)
+        SSI_MASK = 0;
 }
 
 /* D/C is sampled with the last bit of a byte: it must not change before the byte is out. */

@@ -40,6 +40,7 @@ int uart_awake(void)
 
 _Noreturn void machine_reset(void)
 {
+    uart_drain();
     SCB_AIRCR = AIRCR_REQUEST;
     for (;;)
         ;

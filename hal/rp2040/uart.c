@@ -34,6 +34,7 @@ void rp2040_uart_start(void)
 
 _Noreturn void machine_reset(void)
 {
+    uart_drain();
     REG(PSM_WDSEL) = PSM_ALL;
     REG(WATCHDOG_SCRATCH) = 0;
     REG(WATCHDOG_CTRL) = WATCHDOG_TRIGGER;

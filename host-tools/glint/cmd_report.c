@@ -5,6 +5,7 @@
 #include "glint/renderer.h"
 #include "host/sink.h"
 #include "report/angle.h"
+#include "report/boards.h"
 #include "report/page.h"
 #include "report/powers.h"
 #include "scene/model.h"
@@ -29,11 +30,12 @@ static const char report_help[] =
     "      --flash FILE     cpu,method,bytes: of a program that draws by that method\n"
     "      --powers FILE    cpu,scene,power,exponent,instructions: of a frame of the first scene by x; with it the\n"
     "                       page compares the forms of the highlight's power at exponents 5, 20, 50 and 200\n"
+    "      --boards FILE    board,what,figure,unit,number: of `make bench-boards`; with it the page has their tables\n"
     "      --methods A,B    some of `glint methods`; default all\n"
     "      --help\n";
 
 struct report {
-    const char *folder, *costs_path, *flash_path, *powers_path;
+    const char *folder, *costs_path, *flash_path, *powers_path, *boards_path;
     const char **methods;
     unsigned method_count;
     struct costs costs;
@@ -75,13 +77,11 @@ static bool report_choose(struct report *report, const char *names)
 /* Exit code, or -1 to go on. */
 static int report_parse(struct report *report, int argc, char **argv)
 {
-    static const struct option long_options[] = {{"output", required_argument, NULL, 'o'},
-                                                 {"costs", required_argument, NULL, 'c'},
-                                                 {"flash", required_argument, NULL, 'f'},
-                                                 {"methods", required_argument, NULL, 'm'},
-                                                 {"powers", required_argument, NULL, 'p'},
-                                                 {"help", no_argument, NULL, 'h'},
-                                                 {0}};
+    static const struct option long_options[] = {
+        {"output", required_argument, NULL, 'o'}, {"costs", required_argument, NULL, 'c'},
+        {"flash", required_argument, NULL, 'f'},  {"methods", required_argument, NULL, 'm'},
+        {"powers", required_argument, NULL, 'p'}, {"boards", required_argument, NULL, 'b'},
+        {"help", no_argument, NULL, 'h'},         {0}};
     int option;
     for (unsigned m = 0; m < glint_choice_count; m++)
         report->methods[report->method_count++] = glint_choices[m].name;
@@ -98,6 +98,9 @@ static int report_parse(struct report *report, int argc, char **argv)
             break;
         case 'p':
             report->powers_path = optarg;
+            break;
+        case 'b':
+            report->boards_path = optarg;
             break;
         case 'm':
             if (!report_choose(report, optarg))
@@ -146,7 +149,7 @@ static int report_scenes(struct report *report, const char *const paths[], unsig
     FILE *page = report->sink[REPORT_PAGE].stream, *table = report->sink[REPORT_TABLE].stream;
     struct progress progress;
     int code = CLI_DONE;
-    page_begin(page, paths, count, report->powers_path != NULL);
+    page_begin(page, paths, count, report->powers_path != NULL, report->boards_path != NULL);
     page_csv_head(table);
     progress_begin(&progress, false);
     for (unsigned i = 0; !code && i < count; i++) {
@@ -168,6 +171,8 @@ static int report_scenes(struct report *report, const char *const paths[], unsig
         code = angle_write(page);
     if (!code && report->powers_path)
         code = powers_write(page, paths[0], &report->costs);
+    if (!code && report->boards_path)
+        code = boards_write(page, report->boards_path);
     page_end(page);
     return code;
 }

@@ -27,13 +27,24 @@ powers() {
         done
     done
 }
+boards() {
+    echo board,what,figure,unit,number
+    for board in m n; do
+        for figure in flash flash_x static bands renderer stack stack_used; do echo "$board,program,$figure,bytes,5${#figure}"; done
+        for scene in a b; do
+            for figure in drawn whole changes; do echo "$board,$scene x,$figure,cycles,12${#figure}0000"; done
+            for figure in bytes bytes_changes; do echo "$board,$scene x,$figure,bytes,7"; done
+        done
+    done
+}
 begin() { # an empty folder with good costs
     fresh
     costs >costs.csv
     flash >flash.csv
     powers >powers.csv
+    boards >boards.csv
 }
-report=("$glint" report --costs costs.csv --flash flash.csv --powers powers.csv --methods 'gouraud,x,phong' -o out)
+report=("$glint" report --costs costs.csv --flash flash.csv --powers powers.csv --boards boards.csv --methods 'gouraud,x,phong' -o out)
 count() { grep -o -- "$2" "$1" | wc -l; }
 equal() { # NAME VALUE WANTED
     if [ "$2" = "$3" ]; then say ok "$1"; else say FAIL "$1" "'$2', not '$3'"; fi
@@ -92,6 +103,9 @@ equal 'twenty powers are compared' "$(grep -cE '^<tr[^>]*><td>(5|20|50|200), (ta
 matches 'with their costs' out/index.html '<td>200, table</td>.*<td>207\.77</td><td>207\.77</td></tr>'
 matches 'the exact one is' out/index.html '<td>50, exact</td><td>0\.00</td>'
 matches 'and the free ones err as is known' out/index.html '<td>50, γ = 8</td><td>7\.62</td>'
+equal 'two boards have two tables each' "$(grep -cE '^<div class="wide"><table>$' <(sed -n '/id="boards"/,$p' out/index.html))" 4
+matches 'of pictures' out/index.html '<tr><td>b x</td><td>1\.25</td><td>1\.25</td><td>1\.27</td><td>7</td><td>7</td></tr>'
+matches 'and of the program' out/index.html '<tr><td>program</td><td>55</td><td>57</td><td>56</td><td>55</td><td>58</td><td>55</td><td>510</td></tr>'
 
 # an old report gives way only to a whole one
 cp -r out old
@@ -126,6 +140,13 @@ bad 'a second power' powers.csv '3p' '^powers\.csv:4: a second line for this cpu
 bad 'a file without its head' costs.csv 1d '^costs\.csv:1: the columns are cpu,scene,method,'
 bad 'a column too many' flash.csv '2s/$/,1/' '^flash\.csv:2: the columns are cpu,method,bytes$'
 bad 'a file that is empty' costs.csv d '^costs\.csv: empty$'
+bad 'a figure too few' boards.csv '/n,b x,whole/d' '^boards\.csv:32: not the figure that comes next$'
+bad 'a row too short' boards.csv '/m,b x,bytes/d' '^boards\.csv:17: the row before has too few figures$'
+bad 'figures cut off' boards.csv '$d' '^boards\.csv:34: figures are missing at its end$'
+bad 'a name that a page cannot carry' boards.csv '2s/m/<m>/' '^boards\.csv:2: a name is '
+bad 'a figure that is no number' boards.csv '3s/,57/,x/' '^boards\.csv:3: the number is none$'
+bad 'columns too few' boards.csv '2s/,bytes//' '^boards\.csv:2: the columns are board,what,figure,unit,number$'
+bad 'boards without a head' boards.csv 1d '^boards\.csv:1: the columns are board,what,'
 bad 'a line without end' flash.csv '5s/$/'"$(printf %300s | tr ' ' x)/" '^flash\.csv:5: no end of line'
 begin
 truncate -s -1 flash.csv
@@ -155,7 +176,7 @@ run 'an ideal scene beside it is the truth' 0 "${report[@]}" tiny.json
 matches 'which the page says' out/index.html 'Its truth is tiny-ideal'
 begin
 run 'without powers there is a report' 0 "$glint" report --costs costs.csv --flash flash.csv --methods gouraud -o out "$tiny"
-equal 'without that section' "$(count out/index.html 'id="power"')$(count out/index.html '#power')" 00
+equal 'without that section, nor the boards' "$(count out/index.html 'id="power"\|#power\|#boards\|id="boards"')" 0
 begin
 echo '{}' >empty.json
 run 'a scene without a camera is refused' 1 "${report[@]}" empty.json

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Reads letters off a picture: 3x5 pixels in cells of 4x6, or twice that, by the tables in firmware/app/text.c."""
+"""Reads letters off a picture: 3x5 pixels at the right of cells of 4x6, or twice that, by the tables in firmware/app/text.c."""
 import os
 import re
 
@@ -25,7 +25,7 @@ def read(lit, width, height, scale=1):
     while y + 6 * scale <= height:
         line = ""
         for x in range(0, width - 4 * scale + 1, 4 * scale):
-            at = [lit[(y + i * scale) * width + x + j * scale] for i in range(5) for j in range(3)]
+            at = [lit[(y + i * scale) * width + x + (1 + j) * scale] for i in range(5) for j in range(3)]
             line += known.get(int("".join(map(str, at)), 2), "\0")
         good = line.strip() and "\0" not in line
         if good:

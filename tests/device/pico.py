@@ -30,19 +30,23 @@ class Pico:
         self.node.stdin.flush()
         return json.loads(self.node.stdout.readline())
 
-    def line(self, seconds=10):
+    def line(self, seconds=3):
         """The next line that the image has written, or None if none came in so much of its time."""
         return self.ask("line", seconds)
 
-    def press(self, *names, ms=100):
-        """Presses buttons one after the other, releases them in reverse order; returns the line that answers."""
-        for name in names:
-            self.ask("key", name, 1)
+    def hold(self, names, ms):
+        """Holds buttons together; returns the last line that answers."""
+        for held in 1, 0:
+            for name in names:
+                self.ask("key", name, held)
             self.ask("run", ms)
-        for name in reversed(names):
-            self.ask("key", name, 0)
-            self.ask("run", ms)
-        return self.line()
+        last = line = self.line()
+        while line:
+            last, line = line, self.line(.02)
+        return last
+
+    def press(self, name):
+        return self.hold([name], 100)
 
     def screen(self, name="screen"):
         """What is seen: RGB565, row by row, and its size."""

@@ -2,13 +2,13 @@
 """test_lm3s6965evb.py IMAGE GLINT: the OLED of the emulated board against the host's pictures of the same moments."""
 import os
 import struct
-import subprocess
 import sys
 import tempfile
 import time
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from oled import HEIGHT, WIDTH, Oled
+from told import Told, host, stack_complaint
 
 image, glint = sys.argv[1:3]
 failed = 0
@@ -23,36 +23,6 @@ def verdict(name, complaint):
     print(f"FAIL oled: {name}: {complaint}" if complaint else f"ok oled: {name}", flush=True)
 
 
-class Told:
-    """What a line of the board says of the picture on show."""
-
-    def __init__(self, line):
-        clauses = line.split(", ") if line and line.startswith("frame ") else []
-        assert len(clauses) >= 5, f"the board says {line!r}"
-        self.line = line
-        _, self.scene, self.method, self.moment, _ = clauses[0].split(" ")
-        self.turn = clauses[2][len("turn "):]
-        self.budget = clauses[3][len("budget "):]
-        self.bytes = int(clauses[4].split(" ")[0])
-        self.running = "running" in clauses[5:]
-        self.dropped = any(clause.endswith(" dropped") for clause in clauses[5:])
-
-
-def host(told):
-    """The host's picture, as 0..15."""
-    if told.method.startswith("subdivide-"):
-        options = ["--method", "subdivide", "--subdivide", told.method[len("subdivide-"):]]
-    elif told.method.endswith("-perspective"):
-        options = ["--method", told.method[:-len("-perspective")], "--perspective"]
-    else:
-        options = ["--method", told.method]
-    drawn = subprocess.run([glint, "render", f"tests/scenes/{told.scene}.json", "--format", "grey4", "--dither", "--size",
-                            f"{WIDTH}x{HEIGHT}", "--time", told.moment, "--turn", told.turn, "--tolerance", told.budget,
-                            "--output-format", "raw", "-o", "-"] + options, check=True, stdout=subprocess.PIPE).stdout
-    assert len(drawn) == WIDTH * HEIGHT // 2
-    return [grey for byte in drawn for grey in (byte >> 4, byte & 15)]
-
-
 def levels(pixels):
     """What the screen dump shows, as 0..15: QEMU widens a level by 17."""
     assert all(pixel % 17 == 0 for pixel in pixels), "a grey that is none of 16"
@@ -63,7 +33,8 @@ def compare(oled, told, inside=lambda x, y: True):
     """What differs between the OLED and the host's picture of the moment that the board told of."""
     if told.running:
         return "it is not stopped"
-    want, got = host(told), levels(oled.screen())
+    drawn = host(glint, told, (WIDTH, HEIGHT), ["--format", "grey4", "--dither"])
+    want, got = [grey for byte in drawn for grey in (byte >> 4, byte & 15)], levels(oled.screen())
     if len(set(want)) < 3:
         return "the host's picture is empty"
     differ = [(i % WIDTH, i // WIDTH) for i in range(WIDTH * HEIGHT) if want[i] != got[i]]
@@ -189,6 +160,8 @@ def pictures():
         turns(oled)
         scenes_and_methods(oled)
         display_test(oled)
+    complaint = stack_complaint("lm3s6965evb", image, Told.stack)
+    verdict(f"{Told.stack} bytes of stack are 90 to 100 % of the bound", complaint)
 
 
 def altered(folder, change):

@@ -10,15 +10,19 @@ import urllib.request
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from pico import Pico
+from told import Told, host, stack_complaint
 
 modules, glint, build = sys.argv[1:4]
 failed = 0
 
-STOP, FIGURES = ["A"], ["A", "up"]
-# What is pressed, and what of the answer then is new: 1 the scene, 2 the method, 3 the moment.
-TOUR = ([(["right"], 1)] * 9 + [(["A", "right"], 3)] + [(["up"], 2)] * 19)
-SHORT = [(["right"], 1)] * 2 + [(["A", "right"], 3), (["up"], 2)]
-
+# What is pressed, one after the other, or held together (up+left), or a line of the menu to go to; and what of the
+# picture is new then. A board without B, X and Y goes by the menu.
+TOUR = ([("B", "running"), ("A info left A", "figures"), ("up+left", "turn"), ("right", "turn"), ("A time right A", "moment"),
+         ("A budget right A", "budget")] + [("X", "method")] * 20 + [("Y", "scene")] * 9)
+SHORT = [("B", "running"), ("A info left A", "figures"), ("Y", "scene"), ("X", "method"), ("up+left", "turn"), ("A time right A", "moment")]
+MENU = [("A motion left A", "running"), ("A info left A", "figures"), ("A scene right A", "scene"), ("A method left A", "method"),
+        ("down+left", "turn"), ("A time left A", "moment")]
+LINES = "scene", "method", "budget", "motion", "time", "turn", "info", "screen"
 
 def verdict(name, complaint):
     global failed
@@ -27,51 +31,46 @@ def verdict(name, complaint):
     print(f"FAIL rp2040: {name}: {complaint}" if complaint else f"ok rp2040: {name}", flush=True)
 
 
-def host(line, size):
-    """The host's picture, RGB565, of what a line of the board's names."""
-    scene, method, moment = line.split()[1:4]
-    options = ["--method", method]
-    if method.startswith("subdivide-"):
-        options = ["--method", "subdivide", "--subdivide", method[len("subdivide-"):]]
-    elif method.endswith("-perspective"):
-        options = ["--method", method[:-len("-perspective")], "--perspective"]
-    return subprocess.run([glint, "render", f"tests/scenes/{scene}.json", "--format", "rgb565", "--size", "%dx%d" % tuple(size),
-                           "--time", moment, "--output-format", "raw", "-o", "-"] + options,
-                          check=True, stdout=subprocess.PIPE).stdout
-
-
-def compare(board, line):
-    """What differs between the panel and the host's picture of what `line` names."""
-    if not line or not line.startswith("frame ") or "running" in line:
-        return f"the board says {line!r}"
-    if "dropped" in line:
-        return f"triangles found no room: {line}"
+def compare(board, told):
+    """What differs between the panel and the host's picture of what the board told."""
+    if told.running or told.dropped or told.menu:
+        return f"running, dropped or a menu: {told.line}"
     got, size = board.screen()
-    want = host(line, size)
+    want = host(glint, told, size, ["--format", "rgb565", "--tables", "1"])
     if len(got) != len(want) or len(set(want)) < 2:
         return f"{len(got)} bytes, not {len(want)} of {len(set(want))} values"
     differ = [i // 2 for i in range(0, len(want), 2) if want[i:i + 2] != got[i:i + 2]]
-    return f"{len(differ)} pixels of {line} differ, the first at {divmod(differ[0], size[0])}" if differ else None
+    return f"{len(differ)} pixels differ, the first at {divmod(differ[0], size[0])}" if differ else None
+
+
+def step(board, buttons):
+    for name in buttons.split():
+        if name in LINES:
+            while told.menu != name:
+                told = Told(board.press("down"))
+        else:
+            told = Told(board.hold(name.split("+"), 300) if buttons == name else board.press(name))
+    return told
 
 
 def tour(name, script):
     with Pico(modules, name, f"{build}/{name}/app.uf2") as board:
-        line = board.line()
-        verdict(f"{name} starts with a scene: {line}", None if line and line.endswith("running") else f"{line!r}")
-        line = board.press(*STOP)
-        verdict(f"{name}: figures are on the picture: {line}", None if compare(board, line) else "no pixel differs")
-        line = board.press(*FIGURES)
-        verdict(f"{name}: {line}", compare(board, line))
-        seen = [line.split()]
+        seen = [Told(board.line())]
+        verdict(f"{name} starts with a scene: {seen[0].line}", None if seen[0].running else "it does not run")
         for buttons, new in script:
-            line = board.press(*buttons)
-            complaint = compare(board, line)
-            if not complaint and line.split()[new] == seen[-1][new]:
-                complaint = f"{seen[-1][new]} is still there"
-            verdict(f"{name} after {'+'.join(buttons)}: {line}", complaint)
-            seen.append(line.split())
-        verdict(f"{name}: {len({s[1] for s in seen})} scenes, {len({s[2] for s in seen})} methods on wires without a fault",
+            told = step(board, buttons)
+            complaint = compare(board, told)
+            if new == "running": # the figures are still on the picture
+                complaint = None if complaint and "pixels differ" in complaint else f"no figures: {complaint}"
+            elif new != "figures" and not complaint and getattr(told, new) == getattr(seen[-1], new):
+                complaint = f"its {new} is still the same"
+            verdict(f"{name} after {buttons}: {told.line}", complaint)
+            seen.append(told)
+        verdict(f"{name}: {len({s.scene for s in seen})} scenes, {len({s.method for s in seen})} methods on wires without a fault",
                 ", ".join(board.faults()))
+    if script is TOUR:
+        complaint = stack_complaint(name, f"{build}/{name}/app.elf", Told.stack)
+        verdict(f"{name}: {Told.stack} bytes of stack are 90 to 100 % of the bound", complaint)
 
 
 def page():
@@ -100,9 +99,9 @@ def page():
         verdict("a page with the board's buttons", ", ".join(missing))
         look(lambda: lines)
         for held in "10":
-            ask("/button?name=A&held=" + held, b"")
+            ask("/button?name=B&held=" + held, b"")
         look(lambda: len(lines) > 1)
-        verdict(f"A pressed on the page: {lines[-1]}", None if "running" not in lines[-1] and size == 240 * 240 * 2 else f"{size} bytes")
+        verdict(f"B pressed on the page: {lines[-1]}", None if "running" not in lines[-1] and size == 240 * 240 * 2 else f"{size} bytes")
     except (OSError, StopIteration) as error:
         verdict("the page", error or "no address")
     finally:
@@ -113,5 +112,5 @@ def page():
 page()
 tour("picosystem", TOUR)
 tour("pico-st7789", SHORT)
-tour("pico-display2", SHORT)
+tour("pico-display2", MENU)
 sys.exit(failed != 0)

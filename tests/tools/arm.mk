@@ -51,7 +51,7 @@ ARM_OBJ_$(1) := $$(CORE_SRC:%.c=$(BUILD)/$(1)/%.o)
 $(BUILD)/$(1)/%.o: %.c
 	$$(call say,CC-$(1),$$<)
 	@mkdir -p $$(@D)
-	$$(Q)$$(ARM)gcc $$(CPU_$(1)) $$(ARM_FLAGS) $$(DEFS_$(1)) -MMD -MP -c $$< -o $$@
+	$$(Q)$$(ARM)gcc $$(CPU_$(1)) $$(ARM_FLAGS) $$(if $$(filter $$<,$$(COLD_SRC)),-Os) $$(DEFS_$(1)) -MMD -MP -c $$< -o $$@
 -include $$(shell find $(BUILD)/$(1) -name '*.d' 2>/dev/null)
 endef
 $(foreach c,m0 $(CPUS),$(eval $(call cpu_rules,$(c))))

@@ -23,7 +23,7 @@ for cpu in "$@"; do
                        glint_frame_next_band(f, b);
             }" >"$work/entry.c"
         arm-none-eabi-gcc "$flags" -mthumb -std=c11 -Os -Ifirmware -ffreestanding -nostdlib -Wl,-e,entry,--gc-sections \
-            "$work/entry.c" "${objects[@]}" "$BUILD/$cpu/hal/cortexm/mem.o" -lgcc -o "$work/entry.elf"
+            "$work/entry.c" "${objects[@]}" "$BUILD/$cpu/hal/cortexm/mem.o" "$BUILD/$cpu/hal/cortexm/divide.o" -lgcc -o "$work/entry.elf"
         echo "$cpu,$name,$(arm-none-eabi-size "$work/entry.elf" | awk 'NR == 2 { print $1 + $2 }')"
     done <<<"$methods"
 done

@@ -22,7 +22,7 @@ $(PANEL_ELF): $(patsubst %.c,$(BUILD)/m0plus/%.o,$(PANEL_C) $(HAL_picosystem)) $
 	@mkdir -p $(@D)
 	$(Q)$(ARM)gcc $(CPU_m0plus) $(ARM_LINK) -T boards/picosystem/link.ld -Wl,-Map=$(@:.elf=.map) $(filter %.o,$^) -lgcc -o $@
 
-RP2040_BOARDS := $(filter-out lm3s6965evb,$(BOARDS))
+RP2040_BOARDS := $(patsubst boards/%/wires.json,%,$(wildcard boards/*/wires.json))
 suite-rp2040: $(PANEL_ELF:.elf=.uf2) $(GLINT) $(RP2040_BOARDS:%=$(BUILD)/%/app.uf2) $(BUILD)/picosystem/faults.uf2
 	@tests/tools/rp2040js.sh $(RP2040JS) && status=0; \
 	MAKE="$(MAKE)" tests/tools/rp2040.sh $(GLINT) $(RP2040JS) $< || status=1; \

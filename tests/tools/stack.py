@@ -25,9 +25,9 @@ def short(name):
     return name.rsplit(":", 1)[-1]
 
 
-def read_graph(folder):
+def read_graph(paths):
     frames, calls, faults = {}, {}, []
-    for path in sorted(glob.glob(folder + "/firmware/**/*.ci", recursive=True) + glob.glob(folder + "/hal/**/*.ci")):
+    for path in sorted(paths):
         with open(path, encoding="utf-8") as file:
             for line in file:
                 if node := NODE.match(line):
@@ -41,9 +41,15 @@ def read_graph(folder):
     return frames, calls, faults
 
 
-def read_helpers(folder, frames, calls):
+def read_indirect(path):
+    with open(path, encoding="utf-8") as file:
+        lines = [line.split("#")[0].split(":") for line in file]
+    return [(line[0].strip(), line[1].split()) for line in lines if len(line) == 2]
+
+
+def read_helpers(images, frames, calls):
     """Frames of what only the linked image has: pushes and the stack pointer's steps, calls and tail calls."""
-    for image in (folder + "/bench.elf", folder + "/golden.elf"):
+    for image in images:
         run = subprocess.run(["arm-none-eabi-objdump", "-d", "--no-show-raw-insn", image], capture_output=True, text=True)
         if run.returncode == 0:
             break
@@ -120,12 +126,10 @@ def main():
     parser.add_argument("--limit", type=int, required=True)
     parser.add_argument("--paths", action="store_true")
     options = parser.parse_args()
-    with open(options.indirect, encoding="utf-8") as file:
-        lines = [line.split("#")[0].split(":") for line in file]
-        indirect = [(line[0].strip(), line[1].split()) for line in lines if len(line) == 2]
-    frames, calls, faults = read_graph(options.folder)
-    read_helpers(options.folder, frames, calls)
-    walker = Walker(frames, calls, indirect)
+    folder = options.folder
+    frames, calls, faults = read_graph(glob.glob(folder + "/firmware/**/*.ci", recursive=True) + glob.glob(folder + "/hal/**/*.ci"))
+    read_helpers((folder + "/bench.elf", folder + "/golden.elf"), frames, calls)
+    walker = Walker(frames, calls, read_indirect(options.indirect))
     bad = 0
     for entry in LIMITED + OTHERS:
         if entry not in frames:

@@ -25,11 +25,12 @@ suite-cli: $(GLINT) $(VIEW)
 suite-models: $(GLINT)
 	@tests/tools/models.sh $(GLINT)
 
-suite-core: $(BENCH_ELF)
+suite-core: $(BENCH_ELF) $(SIZE_ELF)
 	@status=0; \
 	tests/tools/check_source.sh || status=1; \
 	tests/tools/check_core.sh $(CPUS) -- $(CORE_SRC) || status=1; \
-	for cpu in $(CPUS); do $(call stack_tool,$$cpu) --limit 1024 || status=1; done; exit $$status
+	for cpu in $(CPUS); do $(call stack_tool,$$cpu) --limit 1024 || status=1; done; \
+	$(MAKE) suite-size || status=1; exit $$status
 
 suite-golden: $(SCENE_C)
 	@status=0; for flavour in $(MATRIX); do \
@@ -43,6 +44,7 @@ suite-device: $(foreach c,$(CPUS),$(BUILD)/$(c)/golden.elf) $(BUILD)/m0/golden.e
 	tests/tools/check_golden.sh "cortex-m0 on microbit" small $(call QEMU,m0) -kernel $(BUILD)/m0/golden.elf || status=1; \
 	$(foreach c,$(CPUS),tests/tools/check_golden.sh "$(subst -mcpu=,,$(CPU_$(c))) on $(subst -M ,,$(QEMU_$(c)))" all \
 		$(call QEMU,$(c)) -kernel $(BUILD)/$(c)/golden.elf || status=1;) \
+	bash tests/device/test_flash_lm3s.sh || status=1; \
 	python3 tests/device/test_faults.py $(BUILD)/lm3s6965evb/faults.elf || status=1; \
 	python3 tests/device/test_lm3s6965evb.py $(BUILD)/lm3s6965evb/app.elf $(GLINT) || status=1; \
 	python3 tests/device/test_remote.py $(BUILD)/lm3s6965evb/app.elf $(GLINT) $(VIEW) || status=1; exit $$status
@@ -89,8 +91,11 @@ $(BUILD)/report/flash.csv: $(REPORT_CPUS:%=$(BUILD)/%/report.elf) tests/tools/fl
 
 REPORT_JSON := $(foreach s,$(REPORT_SCENES),$(call scene_file,$(s)))
 REPORT_IDEAL := $(wildcard $(REPORT_JSON:.json=-ideal.json))
-$(BUILD)/report/index.html: $(GLINT) $(BUILD)/report/costs.csv $(BUILD)/report/flash.csv $(BUILD)/report/powers.csv $(REPORT_JSON) $(REPORT_IDEAL)
-	$(Q)$(GLINT) report -o $(@D) --costs $(@D)/costs.csv --flash $(@D)/flash.csv --powers $(@D)/powers.csv $(REPORT_JSON)
+# With the boards' section once `make bench-boards` has measured.
+REPORT_BOARDS := $(wildcard $(BUILD)/bench/boards.csv)
+$(BUILD)/report/index.html: $(GLINT) $(REPORT_BOARDS) $(BUILD)/report/costs.csv $(BUILD)/report/flash.csv $(BUILD)/report/powers.csv $(REPORT_JSON) $(REPORT_IDEAL)
+	$(Q)$(GLINT) report -o $(@D) --costs $(@D)/costs.csv --flash $(@D)/flash.csv --powers $(@D)/powers.csv \
+		$(REPORT_BOARDS:%=--boards %) $(REPORT_JSON)
 
 report-page: $(BUILD)/report/index.html
 	@echo "$<"
@@ -115,8 +120,10 @@ size-table: $(SCENES:%=$(BUILD)/m3/$(SCENE_DIR)/%.o) $(BENCH_ELF)
 	@tests/tools/size.sh $(CPUS)
 
 stack_tool = python3 tests/tools/stack.py --cpu $(1) --indirect tests/tools/indirect.txt $(BUILD)/$(1)
-stack-table: $(BENCH_ELF)
-	@status=0; for cpu in $(CPUS); do $(call stack_tool,$$cpu) --paths --limit 1024 || status=1; done; exit $$status
+stack-table: $(BENCH_ELF) $(SIZE_BOARDS:%=$(BUILD)/%/app.elf)
+	@status=0; for cpu in $(CPUS); do $(call stack_tool,$$cpu) --paths --limit 1024 || status=1; done; \
+	for board in $(SIZE_BOARDS); do python3 tests/tools/stack_image.py $(BUILD)/$$board/app.elf --name $$board --paths \
+		--indirect tests/tools/indirect.txt || status=1; done; exit $$status
 
 golden-update: $(BUILD)/golden
 	@$(BUILD)/golden >$(BUILD)/hashes.txt && { diff $(GOLDEN_LIST) $(BUILD)/hashes.txt || \

@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT */
+#include "fixed/fixed.h"
+
+uint64_t fx_divide_u64(uint64_t n, uint64_t d)
+{
+    uint64_t quotient = 0, bit = 1;
+    for (; d < n && !(d >> 63); d <<= 1)
+        bit <<= 1;
+    for (; bit; bit >>= 1, d >>= 1)
+        if (n >= d) {
+            n -= d;
+            quotient |= bit;
+        }
+    return quotient;
+}
+
+int64_t fx_divide_s64(int64_t n, int64_t d)
+{
+    /* -INT64_MAX at least, on both sides: the magnitudes and the quotient's fit */
+    int64_t size = (int64_t)fx_divide_u64((uint64_t)(n < 0 ? -n : n), (uint64_t)(d < 0 ? -d : d));
+    return (n < 0) != (d < 0) ? -size : size;
+}

@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: MIT */
+/* Lights and the eye in an object's axes. */
+#include "geometry/object.h"
+
+#define FARTHEST (INT64_C(1) << 28)
+
+/* A unit vector of the eye's axes in the object's own, as something far. */
+static void far_point(const struct matrix *to_eye, const q30_t v[3], struct object_point *out)
+{
+    q30_t turned[3];
+    matrix_apply_transposed(to_eye, v, turned);
+    for (int i = 0; i < 3; i++)
+        out->at[i] = (turned[i] + (1 << 15)) >> 16; /* |turned| <= 2^30 (1 + 2^-16) */
+    out->near = 0;
+}
+
+/* A place of the world in the mesh's position units. */
+static void near_point(const q16_t world[3], const struct scene_mesh *mesh, const struct pose *pose,
+                       struct object_point *out)
+{
+    struct matrix rotation = rotation_matrix(&pose->rotation);
+    int32_t from[3], turned[3];
+    int64_t place[3], largest = 0;
+    /* matrix_apply_transposed() wants less than 2^29; differences of positions are below 2^31. They are taken times
+     * 2^up / 4: what is near gets up to 12 bits more, since a small mesh has few positions to a Q16. */
+    int up = 14;
+    for (int i = 0; i < 3; i++) {
+        int64_t way = (int64_t)world[i] - pose->position[i];
+        while ((way < 0 ? -way : way) << up >> 2 >= 1 << 29)
+            up--;
+    }
+    for (int i = 0; i < 3; i++)
+        from[i] = (int32_t)((((int64_t)world[i] - pose->position[i]) * (1 << up)) >> 2);
+    matrix_apply_transposed(&rotation, from, turned);
+    for (int i = 0; i < 3; i++) {
+        /* Q31 of the mesh's units, times 2^up / 4: below 2^60, the centre's share below 2^30 * 2^27 */
+        int64_t local = fx_divide_s64((int64_t)turned[i] * (INT64_C(1) << 31), pose->scale) -
+                        (int64_t)mesh->centre[i] * (INT64_C(1) << (13 + up));
+        place[i] = fx_divide_s64(fx_divide_s64(local, mesh->extent) * 4, 1 << up);
+        int64_t size = place[i] < 0 ? -place[i] : place[i];
+        largest = size > largest ? size : largest;
+    }
+    int down = 0;
+    while (largest >> down > FARTHEST)
+        down++;
+    for (int i = 0; i < 3; i++)
+        out->at[i] = (int32_t)(place[i] >> down);
+    out->near = down == 0;
+    if (down) { /* so far that the mesh is a point */
+        q14_t unit[3];
+        object_unit(out->at, unit);
+        for (int i = 0; i < 3; i++)
+            out->at[i] = unit[i];
+    }
+}
+
+void object_light_setup(struct object_state *object, const struct scene_header *scene, const struct view *view,
+                        const struct pose *pose, const struct matrix *to_eye, uint32_t time_ms)
+{
+    static const q30_t ahead[3] = {0, 0, Q30(1, 1)};
+    const struct scene_light *light = scene_lights(scene);
+    if (scene->camera.viewer == VIEWER_INFINITE)
+        far_point(to_eye, ahead, &object->eye);
+    else
+        near_point(view->position, object->mesh, pose, &object->eye);
+    object->local = (uint16_t)object->eye.near;
+    for (unsigned i = 0; i < scene->light_count; i++, light++) {
+        struct object_light *out = &object->light[i];
+        int32_t vector[3], turned[3];
+        light_vector_at(scene, light, time_ms, vector);
+        if (light->kind == LIGHT_POINT) {
+            near_point(vector, object->mesh, pose, &out->source);
+            object->local |= (uint16_t)out->source.near;
+        } else {
+            q30_t towards[3];
+            matrix_apply(&view->matrix, vector, turned);
+            for (int j = 0; j < 3; j++)
+                turned[j] >>= 2; /* vector_normalise wants |.| < 2^30 */
+            vector_normalise(turned, towards);
+            far_point(to_eye, towards, &out->source);
+        }
+        if (!out->source.near && !object->eye.near) {
+            int32_t sum[3];
+            for (int j = 0; j < 3; j++) {
+                out->towards[j] = (q14_t)out->source.at[j];
+                sum[j] = out->source.at[j] + object->eye.at[j];
+            }
+            object_unit(sum, out->half);
+        } else {
+            for (int j = 0; j < 3; j++)
+                out->towards[j] = out->half[j] = 0; /* vertices are lit anew, by place */
+        }
+    }
+}

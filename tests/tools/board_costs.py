@@ -1,0 +1,142 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""What pictures cost on the emulated boards.
+
+  board_costs.py run BUILD MODULES OUT.csv   runs build/<board>/cost.elf, and reads the sizes of app.elf and app-x.elf
+  board_costs.py table OUT.csv               the same as tables
+
+A line of the file is `board,what,figure,unit,number`: what is `program`, with PROGRAM's figures in bytes, then `SCENE
+METHOD` (and `table` where a colour table is used) with FIGURES: drawn, drawn and sent whole, and with what has changed 50 ms
+later (instructions on the LM3S6965, cycles on the RP2040), and the bytes of both.
+"""
+import csv
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../device"))
+from pico import Pico
+
+# How many of its unit go by in a microsecond, and the unit. Under -icount shift=0 an instruction takes a nanosecond.
+BOARDS = {"lm3s6965evb": (1000, "instructions"), "picosystem": (125, "cycles")}
+FIGURES = "drawn", "whole", "changes", "bytes", "bytes_changes"
+PROGRAM = "flash", "flash_x", "static", "bands", "renderer", "stack", "stack_used"
+
+
+def lines_qemu(image):
+    with tempfile.TemporaryDirectory() as folder:
+        serial = os.path.join(folder, "serial")
+        os.mkfifo(serial + ".in")
+        os.mkfifo(serial + ".out")
+        vm = subprocess.Popen(["qemu-system-arm", "-M", "lm3s6965evb", "-display", "none", "-monitor", "none", "-icount", "shift=0",
+                               "-chardev", f"pipe,id=serial,path={serial}", "-serial", "chardev:serial", "-kernel", image],
+                              stdin=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        try:
+            with open(serial + ".out", encoding="ascii") as out:
+                for line in out:
+                    yield line.strip()
+        finally:
+            vm.kill()
+            vm.wait()
+
+
+def lines_rp2040(modules, board, image):
+    with Pico(modules, board, image) as pico:
+        while (line := pico.line(10)) is not None:
+            yield line
+        yield ""
+
+
+def measure(build, modules, board):
+    """The lines of a board's cost.c."""
+    image = f"{build}/{board}/cost"
+    lines = lines_qemu(image + ".elf") if board == "lm3s6965evb" else lines_rp2040(modules, board, image + ".uf2")
+    for line in lines:
+        kind, *words = line.split() or [""]
+        if kind == "cost":
+            scene, method, table, *numbers = words
+            what = f"{scene} {method}" + (" table" if table == "1" else "")
+            for figure, number in zip(FIGURES, map(int, numbers)):
+                per_us, unit = (1, "bytes") if figure.startswith("bytes") else BOARDS[board]
+                yield what, figure, unit, number * per_us
+        elif kind == "stack":
+            yield "program", "stack_used", "bytes", int(words[0])
+        elif kind == "end":
+            return
+        else:
+            raise SystemExit(f"{board}: {line or 'it stopped'}")
+
+
+def symbols(image):
+    out = subprocess.run(["arm-none-eabi-nm", "-S", image], check=True, stdout=subprocess.PIPE, text=True).stdout
+    for line in out.splitlines():
+        words = line.split()
+        yield words[-1], int(words[0], 16), int(words[1], 16) if len(words) == 4 else 0
+
+
+def sections(image):
+    out = subprocess.run(["arm-none-eabi-size", image], check=True, stdout=subprocess.PIPE, text=True).stdout
+    return tuple(map(int, out.splitlines()[1].split()[:3]))
+
+
+def code(image):
+    """Flash without the scenes."""
+    text, data, _ = sections(image)
+    return text + data - sum(size for name, _, size in symbols(image) if name.startswith("scene_"))
+
+
+def sizes(build, board):
+    image = f"{build}/{board}/app.elf"
+    _, data, bss = sections(image)
+    named = {re.sub("^board_", "", name): (at, size) for name, at, size in symbols(image)}
+    figures = (code(image), code(f"{build}/{board}/app-x.elf"), data + bss, named["band"][1], named["memory"][1],
+               named["link_stack_top"][0] - named["link_stack"][0])
+    for figure, number in zip(PROGRAM, figures):
+        yield "program", figure, "bytes", number
+
+
+def run(build, modules, path):
+    with open(path + ".part", "w", newline="", encoding="ascii") as file:
+        out = csv.writer(file, lineterminator="\n")
+        out.writerow(["board", "what", "figure", "unit", "number"])
+        for board in BOARDS:
+            rows = [*sizes(build, board), *measure(build, modules, board)]
+            rows.sort(key=lambda row: row[0] != "program")
+            out.writerows([board, *row] for row in rows)
+    os.replace(path + ".part", path)
+
+
+def table(path):
+    rows = {}
+    with open(path, encoding="ascii") as file:
+        for row in csv.DictReader(file):
+            rows.setdefault((row["board"], row["what"]), {})[row["figure"]] = int(row["number"])
+    names = {"gouraud": "Gouraud", "x": "X", "phong": "Phong", "table": "with a colour table"}
+    for board, (_, unit) in BOARDS.items():
+        print(f"\n`{board}`, million {unit} a picture:\n")
+        print("| scene | method | drawn | drawn and sent whole | and 50 ms later its changes | bytes | of changes |\n|---|---|---|---|---|---|---|")
+        for (at, what), figure in rows.items():
+            if at == board and what != "program":
+                scene, *method = what.split()
+                print(f"| {scene} | {' '.join(names[word] for word in method)} |", " | ".join(
+                    f"{figure[name] / 1e6:.2f}" for name in FIGURES[:3]), f"| {figure['bytes']} | {figure['bytes_changes']} |")
+    print("\nBytes of `firmware/app`:\n")
+    print("| board | flash without scenes: all methods | X alone | static RAM | bands in it | the renderer's memory in it | stack | of it used |")
+    print("|---|---|---|---|---|---|---|---|")
+    for board in BOARDS:
+        print(f"| {board} |", " | ".join(str(rows[board, "program"][name]) for name in PROGRAM), "|")
+
+
+def main(argv):
+    if len(argv) == 5 and argv[1] == "run":
+        run(*argv[2:])
+    elif len(argv) == 3 and argv[1] == "table":
+        table(argv[2])
+    else:
+        sys.exit(__doc__)
+
+
+if __name__ == "__main__":
+    main(sys.argv)
