@@ -66,6 +66,7 @@ struct raster {
         } begin;
     };
     uint16_t weight[3][3];
+    uint16_t colours[3][COLOUR_WORDS];
     struct span span[SPANS];
     /* the run in hand */
     int32_t value[6][RUN];
