@@ -160,11 +160,10 @@ static int panel_end(struct hal_display *display)
 {
     struct panel *panel = (struct panel *)display;
     struct hal_bus *bus = panel->bus;
-    int error = bus->ops->wait(bus);
-    if (error || panel->shown)
-        return error;
+    if (panel->shown)
+        return 0; /* the last band is on its way, while the next picture is begun */
     panel->shown = 1;
-    error = wire_table(panel, panel->controller->on, UINT16_MAX);
+    int error = wire_table(panel, panel->controller->on, UINT16_MAX);
     if (bus->ops->backlight)
         bus->ops->backlight(bus, BACKLIGHT_FULL);
     return error;

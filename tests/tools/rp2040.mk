@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # The RP2040 board on npm's rp2040js, a program that others wrote; what stands on the panel's wires is compared.
 
-PANEL_SCENES := demo torus288 torus800 sphere690 bench-torus4000
-PANEL_C := tests/device/rp2040/panel.c tests/device/program.c $(SCENE_DIR)/panel_list.c $(PANEL_SCENES:%=$(SCENE_DIR)/%.c)
+PANEL_SCENES := demo torus288 torus800 torus1000 teapot896 sphere690 bench-torus4000
+PANEL_C := tests/device/rp2040/panel.c firmware/app/share.c tests/device/program.c $(SCENE_DIR)/panel_list.c $(PANEL_SCENES:%=$(SCENE_DIR)/%.c)
 PANEL_ELF := $(BUILD)/picosystem/panel.elf
 RP2040JS := $(BUILD)/node
 
