@@ -7,7 +7,7 @@
  *   A + right     stopped: 100 ms on                A + left      stopped: 100 ms back
  *
  * Each change is reported on the serial line when its picture is on the display:
- * `frame SCENE METHOD MOMENT ms, N us` (N: to draw it, without the display), with `running`, `N dropped` (triangles,
+ * `frame SCENE METHOD MOMENT ms, N us, stack N` (to draw it, without the display; bytes of the stack used so far), with `running`, `N dropped` (triangles,
  * for lack of memory) where it applies, or `error SCENE: reason`.
  */
 #ifndef APP_H

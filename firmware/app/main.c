@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Buttons, time and reports. */
 #include "app/app.h"
+#include "app/crash.h"
 #include "clock.h"
 #include "cortexm/machine.h"
+#include "cortexm/stack.h"
 #include "input.h"
 
 #define MAIN_PERIOD_US 16667u  /* a picture, and a look at the buttons: longer than a key bounces */
@@ -110,7 +112,8 @@ static void main_report(const struct app *app)
         text_add_number(&line, app->moment_ms);
         text_add(&line, " ms, ");
         text_add_number(&line, app->draw_us);
-        text_add(&line, " us");
+        text_add(&line, " us, stack ");
+        text_add_number(&line, stack_used());
         if (!app->paused)
             text_add(&line, ", running");
         if (app->frame.stats.dropped) {
@@ -152,6 +155,7 @@ int main(void)
         machine_write("error display\n");
         return 3;
     }
+    crash_show(board);
     state.app.method = main_first_method();
     show_ready(&state.app);
     /* what is held at the start is no press, and its release means nothing */
@@ -163,6 +167,7 @@ int main(void)
         main_advance(&state, now);
         if (changed || !state.app.paused) {
             main_show(&state.app);
+            stack_check();
             main_count(&state);
         }
         if (changed)

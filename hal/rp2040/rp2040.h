@@ -46,6 +46,9 @@ void rp2040_uart_start(void);
 void rp2040_timer_start(void);
 void rp2040_buttons_start(void);
 
+/* The timer's interrupt. */
+void rp2040_timer_alarm(void);
+
 /* Resets subsystems (RESET_ bits), whatever ran before, and lets them go. */
 void rp2040_reset(uint32_t subsystems);
 /* Gives a pin a function (enum pin_function) and its pad's bits. */

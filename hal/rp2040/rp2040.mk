@@ -1,21 +1,9 @@
 # SPDX-License-Identifier: MIT
 # What an RP2040 image is made of: the second stage with its CRC as $(RP2040_BOOT2), to be linked, and NAME.elf -> NAME.uf2.
-RP2040_HAL := hal/cortexm/start.c hal/cortexm/mem.c $(addprefix hal/rp2040/,clocks.c gpio.c timer.c uart.c bus.c core1.c) \
+RP2040_HAL := $(CORTEXM_HAL) hal/cortexm/uart.c $(addprefix hal/rp2040/,vectors.c clocks.c gpio.c timer.c uart.c bus.c core1.c) \
 	$(wildcard hal/panels/*.c)
 RP2040_BOOT2 := $(BUILD)/m0plus/hal/rp2040/boot2_crc.o
 RP2040_TOOL := hal/rp2040/image.py
-
-# A board of this chip, $(1): what boards.mk asks of a board.mk.
-define rp2040_board
-CPU_$(1) := -mcpu=cortex-m0plus
-OBJ_$(1) := m0plus
-HAL_$(1) := $(RP2040_HAL) boards/rp2040.c boards/$(1)/board.c
-LINK_$(1) := boards/rp2040.ld
-EXTRA_$(1) := $(RP2040_BOOT2)
-IMAGE_$(1) := app.uf2
-RUN_$(1) := tests/device/rp2040/run.sh
-FLASH_$(1) := hal/rp2040/flash.sh
-endef
 
 # Linked where the ROM puts it, at the end of RAM.
 $(RP2040_BOOT2): hal/rp2040/boot2.c hal/rp2040/registers.h $(RP2040_TOOL)

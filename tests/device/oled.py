@@ -30,7 +30,7 @@ class Oled:
         server.settimeout(30)
         self.vm = subprocess.Popen(
             ["qemu-system-arm", "-M", "lm3s6965evb", "-display", "none", "-monitor", "none", "-chardev",
-             f"file,id=serial,path={self.serial}", "-serial", "chardev:serial", "-qmp", f"unix:{path}", "-kernel", image]
+             f"socket,id=serial,path={self.serial}.in,server=on,wait=off,logfile={self.serial}", "-serial", "chardev:serial", "-qmp", f"unix:{path}", "-kernel", image]
             + list(options), stdin=subprocess.DEVNULL)
         connection, _ = server.accept()
         connection.settimeout(30)
@@ -38,11 +38,14 @@ class Oled:
         self.stream = connection.makefile("rw")
         self.stream.readline()
         self.qmp("qmp_capabilities")
+        self.input = socket.socket(socket.AF_UNIX)
+        self.input.connect(f"{self.serial}.in")
 
     def __enter__(self):
         return self
 
     def __exit__(self, *_):
+        self.input.close()
         self.vm.kill()
         self.vm.wait()
         shutil.rmtree(self.folder)
@@ -57,11 +60,22 @@ class Oled:
             if "return" in reply:
                 return reply["return"]
 
+    def type(self, text):
+        """Sends text to the serial line, and takes what has come from there so that it never fills up."""
+        self.input.setblocking(False)
+        try:
+            while self.input.recv(65536):
+                pass
+        except BlockingIOError:
+            pass
+        self.input.setblocking(True)
+        self.input.sendall(text.encode())
+
     def line(self, seconds=30):
         """The next whole line that the image has written, or None if none came."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
-            with open(self.serial, encoding="ascii") as serial:
+            with open(self.serial, encoding="ascii", newline="\n") as serial:
                 lines = serial.read().split("\n")[:-1]
             if len(lines) > self.seen:
                 self.seen += 1
