@@ -52,6 +52,13 @@ static inline uint32_t dots_highlight_slack(const struct surface *s, unsigned li
     return surface_diffuse(change, s->light[light].specular_most) >> 7;
 }
 
+/* N.H beyond what Q30 holds when its steps to the power's table are made as large as N.L's; 256 for the roundings. */
+static inline int dots_wide(const struct fx_power *power, struct bounds range, int32_t bend)
+{
+    const int32_t floor = bounds_power_floor(power), most = (32768 - 256) >> power->octave;
+    return floor - range.low + bend > most || range.high + bend - floor > most;
+}
+
 /* Whether one dot product of a light, within `range` at the corners and at most `bend` off linear, can show on the
  * triangle (`form`: by another power than the table); if so, *error is what leaving out the bend would change, in Q8
  * steps. Twice a triangle and light, with `highlight` constant. */
@@ -68,6 +75,7 @@ static inline __attribute__((always_inline)) int dots_show(struct shade_setup *s
     if (highlight) {
         *error = dots_highlight_slack(s, light, top, bend);
         setup->runs_only |= (uint8_t)deep;
+        setup->wide |= dots_wide(s->power, range, bend);
     } else {
         *error = (s->light[light].diffuse_most * (uint32_t)bend) >> 14;
     }

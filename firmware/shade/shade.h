@@ -89,6 +89,7 @@ struct shade_setup {
             uint8_t specular_lights; /* x: bit i: light i's highlight does */
             uint8_t quadratic;       /* some channel bends (x: visibly); 0: all are linear */
             uint8_t folded;    /* N.H is that of a form of the power folded with this `down`; 0: the dot product */
+            uint8_t wide;      /* x: N.H times 2^octave of the power, from its foot, leaves [-2, 2) */
             uint8_t runs_only; /* x: a channel that no polynomial holds, or N.H beyond what a table's loop can index */
         };
     };
