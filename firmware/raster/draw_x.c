@@ -132,6 +132,37 @@ FX_WRAPS static void scale_up(struct polynomial *p, unsigned octave)
 }
 #endif
 
+/* What no polynomial holds, from a table too: N.L and N.H of a run, and its colours. */
+RUNS_APART static void table_values(struct raster *r, int x, int y, int n)
+{
+    const struct shade_setup *setup = &r->setup;
+    for (int which = 0; which < 2; which++) {
+        if ((which ? setup->specular_lights : setup->diffuse_lights) != 0)
+            plane_values(&setup->plane, &setup->channel[which], x, y, n, r->value[which]);
+        else
+            for (int i = 0; i < n; i++)
+                r->value[which][i] = 0;
+    }
+}
+
+RUNS_APART static void table_write(struct raster *r, int x, int y, uint32_t mask)
+{
+    const int octave = r->surface.power->octave;
+    const int32_t half = 1 << 23, foot = (1 << 30) - (1 << (30 - octave)), *value = r->value[0];
+    uint16_t *pixel = (uint16_t *)(void *)(r->pixels + (uint32_t)(y - r->y0) * r->stride) + x;
+    for (; mask; mask >>= 1, value++, pixel++) {
+        if (!(mask & 1))
+            continue;
+        int32_t l = (value[0] + half) >> 24, h = value[RUN] < foot ? 0 : (value[RUN] - foot) >> (23 - octave);
+        *pixel = r->surface_table->colour[pixels_clamped(h, TABLE_HIGHLIGHT - 1)][pixels_clamped(l, TABLE_DIFFUSE - 1)];
+    }
+}
+
+RUNS_APART static uint32_t draw_table_runs(struct raster *r, struct edges *e)
+{
+    return runs_draw_by(r, e, table_values, table_write);
+}
+
 RUNS_APART static uint32_t draw_runs(struct raster *r, struct edges *e)
 {
     return runs_draw(r, e, shade_run);
@@ -141,8 +172,10 @@ FX_WRAPS uint32_t raster_draw_dots(struct raster *r, struct edges *e)
 {
     struct shade_setup *setup = &r->setup;
     const struct colour_table *table = r->surface_table;
-    if (!table || setup->runs_only)
+    if (!table)
         return draw_runs(r, e);
+    if (setup->runs_only)
+        return draw_table_runs(r, e);
     const uint16_t *colours = table->colour[0];
     /* N.L rounded to the table's steps: half a step more. N.H counts from the foot of the power. */
     const uint32_t half = 1u << 23;

@@ -17,8 +17,12 @@ typedef void runs_shade(struct raster *r, int x, int y, int n);
 /* Keeps a run's shading, or a way of drawing that is taken seldom, from taking registers of what calls it. */
 #define RUNS_APART __attribute__((noinline))
 
+/* Writes the pixels of a mask from what `shade` left. */
+typedef void runs_write(struct raster *r, int x, int y, uint32_t mask);
+
 /* Draws the triangle's spans; returns the pixels that passed the depth test. */
-static inline __attribute__((always_inline)) uint32_t runs_draw(struct raster *r, struct edges *e, runs_shade *shade)
+static inline __attribute__((always_inline)) uint32_t runs_draw_by(struct raster *r, struct edges *e, runs_shade *shade,
+                                                                   runs_write *write)
 {
     uint32_t drawn = 0;
     int y = e->row;
@@ -34,11 +38,16 @@ static inline __attribute__((always_inline)) uint32_t runs_draw(struct raster *r
                 for (uint32_t hidden = ~mask & ((1u << n) - 1); hidden; hidden &= hidden - 1)
                     drawn--;
                 shade(r, x, y, n);
-                raster_write(r, x, y, mask);
+                write(r, x, y, mask);
             }
         }
     } while (e->row < e->last);
     return drawn;
+}
+
+static inline __attribute__((always_inline)) uint32_t runs_draw(struct raster *r, struct edges *e, runs_shade *shade)
+{
+    return runs_draw_by(r, e, shade, raster_write);
 }
 
 #endif
