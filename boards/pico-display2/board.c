@@ -48,6 +48,7 @@ struct panel rp2040_panel = {
 };
 
 const struct board rp2040_app = {
+    .name = "pico-display2",
     .display = &rp2040_panel.display,
     .width = WIDTH,
     .height = HEIGHT,

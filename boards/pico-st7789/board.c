@@ -43,6 +43,7 @@ struct panel rp2040_panel = {
 };
 
 const struct board rp2040_app = {
+    .name = "pico-st7789",
     .display = &rp2040_panel.display,
     .width = SIZE,
     .height = SIZE,

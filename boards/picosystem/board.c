@@ -42,6 +42,7 @@ struct panel rp2040_panel = {
 };
 
 const struct board rp2040_app = {
+    .name = "picosystem",
     .display = &rp2040_panel.display,
     .width = SIZE,
     .height = SIZE,

@@ -6,9 +6,10 @@
 #include "input.h"
 
 /* A clause a line: what stands before the next ", ". */
-static void crash_lines(const struct board *board, const struct glint_band *band, const char *text)
+static void crash_lines(const struct text_canvas *canvas, unsigned height, const char *text)
 {
-    for (unsigned y = TEXT_HEIGHT; *text; y += 2 * TEXT_HEIGHT) {
+    const unsigned cell = text_height(canvas->width), margin = text_width(canvas->width);
+    for (unsigned y = cell; *text; y += 2 * cell) {
         char line[FAULT_TEXT];
         unsigned length = 0;
         while (*text && *text != ',')
@@ -16,9 +17,9 @@ static void crash_lines(const struct board *board, const struct glint_band *band
         line[length] = 0;
         while (*text == ',' || *text == ' ')
             text++;
-        text_draw(band, board->format, board->width, TEXT_WIDTH, y, line);
+        text_draw(canvas, margin, y, line);
     }
-    text_draw(band, board->format, board->width, TEXT_WIDTH, board->height - 2 * TEXT_HEIGHT, "press a button");
+    text_draw(canvas, margin, height - 2 * cell, "press a button");
 }
 
 static int crash_picture(const struct board *board, const char *text)
@@ -31,7 +32,7 @@ static int crash_picture(const struct board *board, const char *text)
         struct glint_band band = {board->band[index], (uint16_t)y, (uint16_t)rows, stride};
         for (uint32_t i = 0; i < stride * rows; i++)
             ((uint8_t *)band.pixels)[i] = 0;
-        crash_lines(board, &band, text);
+        crash_lines(&(struct text_canvas){&band, board->width, board->format, 0}, board->height, text);
         error = display->ops->flush(display, band.pixels, band.y, band.rows, band.stride);
     }
     return error || !display->ops->frame_end ? error : display->ops->frame_end(display);

@@ -81,7 +81,7 @@ static int share_take(struct share *s, int assisting, uint32_t *number)
 }
 
 /* Draws the next band when a buffer is free for it, and sends what is due: 0 if there is none. */
-static int share_draw(struct share *s, int assisting)
+static int share_band(struct share *s, int assisting)
 {
     uint32_t number;
     if (!share_take(s, assisting, &number))
@@ -93,7 +93,7 @@ static int share_draw(struct share *s, int assisting)
     glint_frame_band(assisting ? &s->worker : &s->frame, number + s->count - s->end, s->band[number % s->buffers],
                      &slot->band);
     if (s->over)
-        s->over(s->context, &slot->band);
+        s->over(s->context, &slot->band, assisting);
     slot->last = number + 1 == s->end;
     atomic_store(&slot->number, number + 1);
     if (assisting)
@@ -110,7 +110,7 @@ static void share_assist(void *argument)
 {
     struct share *s = argument;
     for (;;)
-        if (!share_draw(s, 1))
+        if (!share_band(s, 1))
             share_wait(s);
 }
 
@@ -129,7 +129,7 @@ void share_ready(struct share *s, void *memory, uint32_t bytes)
     }
 }
 
-int share_picture(struct share *s, const void *scene, uint32_t time_ms)
+int share_begin(struct share *s, const void *scene, uint32_t time_ms)
 {
     uint32_t begin = clock_us();
     int error = glint_frame_begin(&s->frame, scene, time_ms);
@@ -138,12 +138,17 @@ int share_picture(struct share *s, const void *scene, uint32_t time_ms)
     if (s->core)
         glint_worker_begin(&s->worker, &s->frame);
     s->draw_us = clock_us() - begin;
+    return 0;
+}
+
+int share_draw(struct share *s)
+{
     while (!share_claim(s, HAL_LOCK_TAKE))
         ;
     s->end += s->count;
     share_release(s, HAL_LOCK_TAKE);
     share_notify(s);
-    while (share_draw(s, 0))
+    while (share_band(s, 0))
         ;
     while (atomic_load(&s->assisting))
         share_wait(s);

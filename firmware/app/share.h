@@ -23,11 +23,12 @@ struct share_slot {
 
 /* The first part is the caller's, set before share_ready(); all else is 0 at first. */
 struct share {
-    const struct hal_core *core;                                  /* null: one CPU */
-    struct hal_display *display;                                  /* open; null: nothing is sent */
-    void *band[SHARE_MOST_BANDS];                                 /* buffers of config.band_rows rows: two, or four */
-    void (*over)(const void *context, const struct glint_band *); /* null, or draws over each band, on either CPU */
-    const void *context;
+    const struct hal_core *core;  /* null: one CPU */
+    struct hal_display *display;  /* open; null: nothing is sent */
+    void *band[SHARE_MOST_BANDS]; /* buffers of config.band_rows rows: two, or four */
+    /* Null, or draws over each band; assisting: on the second CPU. */
+    void (*over)(void *context, const struct glint_band *, int assisting);
+    void *context;
     struct glint_frame frame;
 
     uint32_t draw_us; /* what the first CPU took for its part of the last picture, without the display */
@@ -48,11 +49,14 @@ struct share {
  * Without enough of that there is one CPU: what is enough for one configuration is for all of its size. */
 void share_ready(struct share *share, void *memory, uint32_t bytes);
 
-/* Draws a picture: 0, glint_frame_begin()'s error, or the display's (after which it is to be opened anew). With a
- * second CPU the last bands are sent later. */
-int share_picture(struct share *share, const void *scene, uint32_t time_ms);
+/* Begins a picture: 0, or glint_frame_begin()'s error. */
+int share_begin(struct share *share, const void *scene, uint32_t time_ms);
 
-/* Returns when all is sent, or will not be: 0, or the display's error. Before anyone else uses the display. */
+/* Draws it: 0, or the display's error, after which it is to be opened anew. With a second CPU the last bands are sent
+ * later. */
+int share_draw(struct share *share);
+
+/* Returns when the display has all, or will not have it: 0, or its error. Before anyone else uses the display. */
 int share_finish(struct share *share);
 
 #endif

@@ -60,12 +60,12 @@ static void faults_clock(uint32_t count)
 static void faults_busy(uint32_t ms)
 {
     struct line line = {.length = 0};
-    char text[80];
+    char text[32];
     clock_wait_us(1000 * ms);
-    line_text(&line, "got ");
+    machine_write("got ");
     for (uint32_t count; (count = serial_read(text, sizeof text - 1)) != 0;) {
         text[count] = 0;
-        line_text(&line, text);
+        machine_write(text);
     }
     line_text(&line, ", lost ");
     line_decimal(&line, serial_lost());

@@ -12,7 +12,7 @@ $(if $(OBJ_$(1)),,$(call cpu_rules,$(1)))
 OBJ_$(1) ?= $(1)
 $(SCENE_DIR)/$(1)_list.c: tests/tools/scene_list.sh boards/$(1)/board.mk $(LINK_$(1):%.ld=%.mk)
 	@mkdir -p $$(@D)
-	$$(Q)tests/tools/scene_list.sh --app $$(SCENES_$(1)) >$$@
+	$$(Q)tests/tools/scene_list.sh $$(SCENES_$(1)) >$$@
 $(BUILD)/$(1)/app.elf: $$(patsubst %.c,$(BUILD)/$$(OBJ_$(1))/%.o,$$(APP_SRC) $$(HAL_$(1)) $$(SCENE_DIR)/$(1)_list.c \
 		$$(SCENES_$(1):%=$$(SCENE_DIR)/%.c)) $$(ARM_OBJ_$$(OBJ_$(1))) $$(EXTRA_$(1)) boards/$(1)/link.ld $$(LINK_$(1)) boards/cortexm.ld
 	$$(call say,LINK,$$@)

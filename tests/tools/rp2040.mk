@@ -23,9 +23,10 @@ $(PANEL_ELF): $(patsubst %.c,$(BUILD)/m0plus/%.o,$(PANEL_C) $(HAL_picosystem)) $
 	$(Q)$(ARM)gcc $(CPU_m0plus) $(ARM_LINK) -T boards/picosystem/link.ld -Wl,-Map=$(@:.elf=.map) $(filter %.o,$^) -lgcc -o $@
 
 RP2040_BOARDS := $(filter-out lm3s6965evb,$(BOARDS))
-suite-rp2040: $(PANEL_ELF:.elf=.uf2) $(GLINT) $(RP2040_BOARDS:%=$(BUILD)/%/app.uf2)
+suite-rp2040: $(PANEL_ELF:.elf=.uf2) $(GLINT) $(RP2040_BOARDS:%=$(BUILD)/%/app.uf2) $(BUILD)/picosystem/faults.uf2
 	@tests/tools/rp2040js.sh $(RP2040JS) && status=0; \
 	MAKE="$(MAKE)" tests/tools/rp2040.sh $(GLINT) $(RP2040JS) $< || status=1; \
+	python3 tests/device/test_faults.py $(RP2040JS) picosystem $(BUILD)/picosystem/faults.uf2 || status=1; \
 	python3 tests/device/test_rp2040.py $(RP2040JS) $(GLINT) $(BUILD) || status=1; exit $$status
 
 .PHONY: suite-rp2040

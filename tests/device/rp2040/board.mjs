@@ -10,6 +10,7 @@ import {St7789} from './st7789.mjs';
 
 const FLASH = 0x10000000, BOOT2_AT = 0x20041f00;
 const FUNCTION_SPI = 1, FUNCTION_PWM = 4;
+const EXC_HARDFAULT = 3, WATCHDOG = 0x40058, DMA_ABORT = 0x50000444;
 const BOARDS = path.join(import.meta.dirname, '../../../boards');
 
 // The board that the environment's BOARD names, else a PicoSystem; MODULES: the folder rp2040js was installed into.
@@ -136,18 +137,32 @@ export class Board {
         for (const c of text) this.mcu.uart[0].feedByte(c.charCodeAt(0));
     }
 
-    // RP2040 datasheet 2.8.1.3: the second stage to the end of RAM, its CRC, in.
     boot(flash) {
-        const {mcu} = this, stage = flash.subarray(0, 252);
-        const crc = new DataView(flash.buffer).getUint32(252, true);
-        if (bootCrc(stage) !== crc) throw new Error('the boot ROM refuses the second stage: wrong CRC');
+        const {mcu} = this;
         mcu.flash.set(flash, 0);
-        mcu.sram.set(flash.subarray(0, 256), BOOT2_AT - 0x20000000);
-        mcu.core.SP = BOOT2_AT;
-        mcu.core.LR = 0;
-        mcu.core.PC = BOOT2_AT;
         this.slept = 0;
         this.counts = new Float64Array(flash.length / 2); // cycles of both cores by half-word of flash, while `counting`
+        // What rp2040js leaves to its user: the HardFault of an undefined instruction, and the watchdog's reset.
+        mcu.onBreak = () => {
+            mcu.core.PC -= mcu.core.breakRewind;
+            mcu.core.exceptionEntry(EXC_HARDFAULT);
+        };
+        mcu.peripherals[WATCHDOG].onWatchdogTrigger = () => this.enter();
+        this.enter();
+    }
+
+    // RP2040 datasheet 2.8.1.3: the second stage to the end of RAM, its CRC, in. The rest of RAM is left as it is.
+    enter() {
+        const {mcu} = this, {core} = mcu, flash = mcu.flash, stage = flash.subarray(0, 252);
+        const crc = new DataView(flash.buffer).getUint32(252, true);
+        if (bootCrc(stage) !== crc) throw new Error('the boot ROM refuses the second stage: wrong CRC');
+        mcu.sram.set(flash.subarray(0, 256), BOOT2_AT - 0x20000000);
+        Object.assign(core, {IPSR: 0, PM: false, currentMode: 0, pendingInterrupts: 0, enabledInterrupts: 0});
+        mcu.writeUint32(DMA_ABORT, 0xfff);
+        core.SP = BOOT2_AT;
+        core.LR = 0;
+        core.PC = BOOT2_AT;
+        this.second.reset();
     }
 
     // Of the system clock since boot, sleep included.

@@ -3,7 +3,8 @@
 // PicoSystem) by commands on standard input, one a line, each answered by a line of JSON:
 //   run MS         so long of its time      line SECONDS   until the serial line says something: that, or null
 //   key NAME 0|1   releases or presses      picture FILE   what is seen, as FILE.raw (RGB565) and FILE.png
-//   type TEXT      to the serial line       faults         what the wires have to complain of
+//   type TEXT      a serial line's line    faults         what the wires have to complain of
+//   feed TEXT      a part of a line, at most 32 bytes at a time
 import fs from 'node:fs';
 import readline from 'node:readline';
 import {flashFromUf2, openBoard} from './board.mjs';
@@ -26,6 +27,7 @@ const commands = {
         return [shown.width, shown.height];
     },
     type: (...words) => board.type(words.join(' ') + '\n') ?? null,
+    feed: (...words) => board.type(words.join(' ')) ?? null,
     faults: () => [...board.faults, ...board.panel.faults, ...(board.backlight === 1 ? [] : [`backlight at ${board.backlight}`])],
 };
 

@@ -34,7 +34,9 @@ static int panel_frame(struct share *share, const struct panel_job *job, uint32_
 {
     share->display = display;
     program_write(display ? "show\n" : "draw\n");
-    int error = share_picture(share, job->scene->blob, time_ms);
+    int error = share_begin(share, job->scene->blob, time_ms);
+    if (error == 0)
+        error = share_draw(share);
     if (error == 0)
         error = share_finish(share);
     if (display && error == 0)
@@ -55,7 +57,8 @@ static int panel_in_a_row(struct share *share, const struct panel_job *job, stru
     share->display = &panel->display;
     for (unsigned i = 0; i <= IN_A_ROW && error == 0; i++) {
         panel_repaint(panel);
-        error = share_picture(share, job->scene->blob, job->time_ms);
+        error = share_begin(share, job->scene->blob, job->time_ms);
+        error = error == 0 ? share_draw(share) : error;
         if (i == 0)
             program_write("row\n");
     }
