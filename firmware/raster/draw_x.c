@@ -61,12 +61,9 @@ RUNS_APART static void shade_run(struct raster *r, int x, int y, int n)
         shade_grey(r, x, y, n, 0);
 }
 
-/*
- * The spans of a case into 565 through a table. A template: always called with constants; `by_hand`: by the loops of
- * pixels_by_hand().
- */
-FX_WRAPS static inline __attribute__((always_inline)) uint32_t
-spans(struct raster *r, struct edges *e, const uint16_t *colours, unsigned kind, int by_hand)
+/* The spans of a case into 565 through a table. A template: always called with a constant. */
+FX_WRAPS static inline __attribute__((always_inline)) uint32_t spans(struct raster *r, struct edges *e,
+                                                                     const uint16_t *colours, unsigned kind)
 {
     const struct shade_setup *setup = &r->setup;
     const int quadratic = (kind & PIXELS_QUADRATIC) != 0;
@@ -94,31 +91,47 @@ spans(struct raster *r, struct edges *e, const uint16_t *colours, unsigned kind,
             if (kind & PIXELS_HIGHLIGHT)
                 v.h = start_value(ph, i, j, quadratic, &v.dh);
             covered += (uint32_t)n;
-            uint16_t *depth = row + span->x0, *end = row + span->x1;
-            if (by_hand)
-                pixels_by_hand(v, depth, end, to_pixels, colours, &hidden, kind);
-            else
-                pixels_plain(v, depth, end, to_pixels, colours, down, &hidden, kind);
+            pixels_plain(v, row + span->x0, row + span->x1, to_pixels, colours, down, &hidden, kind);
         }
     } while (e->row < e->last);
     return covered - hidden;
 }
 
 /* One function a case, none inlined into another, so that each has all registers to itself. */
-#define CASE(name, kind, by_hand)                                                              \
+#define CASE(name, kind)                                                                       \
     FX_WRAPS static __attribute__((noinline)) uint32_t name(struct raster *r, struct edges *e, \
                                                             const uint16_t *colours)           \
     {                                                                                          \
-        return spans(r, e, colours, kind, by_hand);                                            \
+        return spans(r, e, colours, kind);                                                     \
     }
 #define BOTH (PIXELS_DIFFUSE | PIXELS_HIGHLIGHT)
-CASE(spans_dark, 0, 0)
-CASE(spans_diffuse, PIXELS_DIFFUSE, PIXELS_BY_HAND)
-CASE(spans_diffuse_quadratic, PIXELS_DIFFUSE | PIXELS_QUADRATIC, PIXELS_BY_HAND)
-CASE(spans_both, BOTH, PIXELS_BY_HAND)
-CASE(spans_both_quadratic, BOTH | PIXELS_QUADRATIC, PIXELS_BY_HAND)
+CASE(spans_dark, 0)
 #if PIXELS_BY_HAND
-CASE(spans_wide, BOTH | PIXELS_QUADRATIC, 0)
+CASE(spans_wide, BOTH | PIXELS_QUADRATIC)
+
+static uint32_t spans_by_hand(struct raster *r, struct edges *e, const uint16_t *colours,
+                              void (*draw)(struct pixels_rows *))
+{
+    const struct plane *plane = &r->setup.plane;
+    const uint32_t stride = 2u * r->width;
+    struct pixels_rows rows = {.channel = &r->setup.depth,
+                               .row = (uint8_t *)r->depth + (uint32_t)(e->row - r->y0) * stride,
+                               .stride = stride,
+                               .j = (uint32_t)(e->row - plane->oy),
+                               .ox = (uint32_t)plane->ox,
+                               .table = colours,
+                               .to_pixels = (uintptr_t)r->pixels - (uintptr_t)r->depth};
+    do {
+        rows.span = r->span;
+        rows.last = r->span + raster_spans(r, e);
+        draw(&rows);
+    } while (e->row < e->last);
+    return rows.covered - rows.hidden;
+}
+#define spans_diffuse(r, e, colours)           spans_by_hand(r, e, colours, pixels_rows_diffuse)
+#define spans_diffuse_quadratic(r, e, colours) spans_by_hand(r, e, colours, pixels_rows_diffuse_quadratic)
+#define spans_both(r, e, colours)              spans_by_hand(r, e, colours, pixels_rows_both)
+#define spans_both_quadratic(r, e, colours)    spans_by_hand(r, e, colours, pixels_rows_both_quadratic)
 
 /* N.H from Q30 / 2^octave to Q30. */
 FX_WRAPS static void scale_up(struct polynomial *p, unsigned octave)
@@ -130,6 +143,11 @@ FX_WRAPS static void scale_up(struct polynomial *p, unsigned octave)
     p->b <<= octave;
     p->c <<= octave;
 }
+#else
+CASE(spans_diffuse, PIXELS_DIFFUSE)
+CASE(spans_diffuse_quadratic, PIXELS_DIFFUSE | PIXELS_QUADRATIC)
+CASE(spans_both, BOTH)
+CASE(spans_both_quadratic, BOTH | PIXELS_QUADRATIC)
 #endif
 
 /* What no polynomial holds, from a table too: N.L and N.H of a run, and its colours. */

@@ -61,102 +61,31 @@ FX_WRAPS static inline __attribute__((always_inline)) void pixels_plain(struct p
     } while (++depth != end);
 }
 
-#if FX_NARROW && defined(__thumb__) && !defined(__clang__)
+#if FX_NARROW && defined(__thumb__)
 #define PIXELS_BY_HAND 1
-/*
- * The same for ARMv6-M, whose compilers keep four of the loop's words in memory: with every register in use and the
- * clamps' rare cases apart, a pixel takes 29 cycles instead of 45 on a Cortex-M0+. N.H counts in Q30 itself here (down
- * = 23: an immediate), within [-2, 2) for the clamp to know what is above from what is below.
- */
-#define PIXELS_TEST          \
-    ".syntax unified\n"      \
-    "1: ldrh %[t], [%[p]]\n" \
-    "lsrs %[u], %[z], #16\n" \
-    "cmp %[u], %[t]\n"       \
-    "bls 7f\n"               \
-    "strh %[u], [%[p]]\n"
-#define PIXELS_INDEX_L       \
-    "lsrs %[t], %[l], #24\n" \
-    "cmp %[t], #63\n"        \
-    "bhi 5f\n"               \
-    "2: "
-#define PIXELS_INDEX_H         \
-    "lsrs %[u], %[h], #23\n"   \
-    "cmp %[u], #127\n"         \
-    "bhi 6f\n"                 \
-    "3: lsls %[u], %[u], #6\n" \
-    "adds %[t], %[t], %[u]\n"
-#define PIXELS_STORE                  \
-    "lsls %[t], %[t], #1\n"           \
-    "ldrh %[t], [%[t], %[colours]]\n" \
-    "strh %[t], [%[p], %[to]]\n"      \
-    "4: add %[z], %[dz]\n"
-#define PIXELS_NEXT      \
-    "adds %[p], #2\n"    \
-    "cmp %[p], %[end]\n" \
-    "bne 1b\n"           \
-    "b 8f\n"
-#define PIXELS_CLAMP_L          \
-    "5: asrs %[t], %[l], #31\n" \
-    "mvns %[t], %[t]\n"         \
-    "lsrs %[t], %[t], #26\n"    \
-    "b 2b\n"
-#define PIXELS_CLAMP_H          \
-    "6: asrs %[u], %[h], #31\n" \
-    "mvns %[u], %[u]\n"         \
-    "lsrs %[u], %[u], #25\n"    \
-    "b 3b\n"
-#define PIXELS_HIDDEN          \
-    "7: ldr %[t], %[hidden]\n" \
-    "adds %[t], #1\n"          \
-    "str %[t], %[hidden]\n"    \
-    "b 4b\n"                   \
-    "8:\n"
-#define PIXELS_COMMON [p] "+l"(depth), [z] "+l"(v.z), [t] "=&l"(t), [hidden] "+m"(*hidden)
-#define PIXELS_GIVEN  [to] "l"(to_pixels), [colours] "l"(colours), [end] "h"(end), [dz] "h"(v.dz)
-
-FX_WRAPS static inline __attribute__((always_inline)) void pixels_by_hand(struct pixels_values v, uint16_t *depth,
-                                                                          const uint16_t *end, uintptr_t to_pixels,
-                                                                          const uint16_t *colours,
-                                                                          volatile uint32_t *hidden, unsigned kind)
-{
-    uint32_t t, u;
-    if (kind == (PIXELS_DIFFUSE | PIXELS_HIGHLIGHT | PIXELS_QUADRATIC)) {
-        register uint32_t ah __asm__("lr") = v.ah; /* the fourteenth: left alone, compilers do not offer it */
-        __asm__ volatile(PIXELS_TEST PIXELS_INDEX_L PIXELS_INDEX_H PIXELS_STORE
-                         "add %[l], %[dl]\n"
-                         "add %[dl], %[al]\n"
-                         "add %[h], %[dh]\n"
-                         "add %[dh], %[ah]\n" PIXELS_NEXT PIXELS_CLAMP_L PIXELS_CLAMP_H PIXELS_HIDDEN
-                         : PIXELS_COMMON, [u] "=&l"(u), [l] "+l"(v.l), [h] "+l"(v.h), [dl] "+h"(v.dl), [dh] "+h"(v.dh)
-                         : PIXELS_GIVEN, [al] "h"(v.al), [ah] "h"(ah)
-                         : "memory", "cc");
-    } else if (kind == (PIXELS_DIFFUSE | PIXELS_HIGHLIGHT)) {
-        __asm__ volatile(PIXELS_TEST PIXELS_INDEX_L PIXELS_INDEX_H PIXELS_STORE
-                         "add %[l], %[dl]\n"
-                         "add %[h], %[dh]\n" PIXELS_NEXT PIXELS_CLAMP_L PIXELS_CLAMP_H PIXELS_HIDDEN
-                         : PIXELS_COMMON, [u] "=&l"(u), [l] "+l"(v.l), [h] "+l"(v.h)
-                         : PIXELS_GIVEN, [dl] "h"(v.dl), [dh] "h"(v.dh)
-                         : "memory", "cc");
-    } else if (kind == (PIXELS_DIFFUSE | PIXELS_QUADRATIC)) {
-        __asm__ volatile(PIXELS_TEST PIXELS_INDEX_L PIXELS_STORE
-                         "add %[l], %[dl]\n"
-                         "add %[dl], %[al]\n" PIXELS_NEXT PIXELS_CLAMP_L PIXELS_HIDDEN
-                         : PIXELS_COMMON, [u] "=&l"(u), [l] "+l"(v.l), [dl] "+h"(v.dl)
-                         : PIXELS_GIVEN, [al] "h"(v.al)
-                         : "memory", "cc");
-    } else {
-        __asm__ volatile(PIXELS_TEST PIXELS_INDEX_L PIXELS_STORE
-                         "add %[l], %[dl]\n" PIXELS_NEXT PIXELS_CLAMP_L PIXELS_HIDDEN
-                         : PIXELS_COMMON, [u] "=&l"(u), [l] "+l"(v.l)
-                         : PIXELS_GIVEN, [dl] "h"(v.dl)
-                         : "memory", "cc");
-    }
-}
 #else
 #define PIXELS_BY_HAND 0
-void pixels_by_hand(struct pixels_values v, uint16_t *depth, const uint16_t *end, uintptr_t to_pixels,
-                    const uint16_t *colours, volatile uint32_t *hidden, unsigned kind); /* never called */
 #endif
+
+/*
+ * The same for rows of spans by hand for ARMv6-M, whose compilers keep four of the loop's words in memory: with every
+ * register in use and the clamps' rare cases apart, a pixel takes 29 cycles instead of 45 on a Cortex-M0+. N.H counts
+ * in Q30 itself here (down = 23: an immediate), within [-2, 2) for the clamp to know what is above from what is below.
+ * pixels_thumb.c knows these offsets.
+ */
+struct pixels_rows {
+    const struct channel *channel; /* depth, N.L, N.H, one behind the other */
+    const struct span *span, *last;
+    uint8_t *row;          /* of the depth, its column 0 */
+    uint32_t stride, j;    /* bytes a row; the row from the origin */
+    uint32_t ox;           /* the origin's column */
+    const uint16_t *table; /* colours */
+    uintptr_t to_pixels;
+    uint32_t covered, hidden; /* pixels, added to */
+};
+void pixels_rows_diffuse(struct pixels_rows *rows);
+void pixels_rows_both(struct pixels_rows *rows);
+void pixels_rows_diffuse_quadratic(struct pixels_rows *rows);
+void pixels_rows_both_quadratic(struct pixels_rows *rows);
 
 #endif

@@ -67,7 +67,7 @@ struct raster {
     };
     uint16_t weight[3][3];
     uint16_t colours[3][COLOUR_WORDS];
-    struct span span[SPANS];
+    _Alignas(uint32_t) struct span span[SPANS]; /* read as a word each */
     /* the run in hand */
     int32_t value[6][RUN];
     struct perspective_divisor divisor[RUN];
