@@ -52,7 +52,8 @@ static inline uint32_t dots_highlight_slack(const struct surface *s, unsigned li
     return surface_diffuse(change, s->light[light].specular_most) >> 7;
 }
 
-/* N.H beyond what Q30 holds when its steps to the power's table are made as large as N.L's; 256 for the roundings. */
+/* N.H's place in the power's table beyond [-2, 2), for loops whose clamps are by sign (raster/pixels.h); 256 for the
+ * roundings. */
 static inline int dots_wide(const struct fx_power *power, struct bounds range, int32_t bend)
 {
     const int32_t floor = bounds_power_floor(power), most = (32768 - 256) >> power->octave;
@@ -70,12 +71,15 @@ static inline __attribute__((always_inline)) int dots_show(struct shade_setup *s
     int32_t top = range.high + bend, floor = highlight && !form ? bounds_power_floor(s->power) : 1;
     int deep = highlight && range.low - bend - floor < -32768 + 256; /* less the floor, it may pass -2 in Q30 */
     *error = 0; /* steps in Q8 at full intensity times a Q14 bend: below 2^16 * 2^16 */
+    if (top < floor && (!in->no_plan || deep))
+        return 0;
+    if (FX_NARROW && highlight)
+        setup->wide |= (uint8_t)dots_wide(s->power, range, bend);
     if (top < floor)
-        return in->no_plan && !deep;
+        return 1;
     if (highlight) {
         *error = dots_highlight_slack(s, light, top, bend);
         setup->runs_only |= (uint8_t)deep;
-        setup->wide |= dots_wide(s->power, range, bend);
     } else {
         *error = (s->light[light].diffuse_most * (uint32_t)bend) >> 14;
     }

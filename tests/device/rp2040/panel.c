@@ -30,31 +30,25 @@ struct panel_job {
 };
 
 /* A picture, sent where there is a display: while bands are on their way, others are drawn. */
-static int panel_frame(struct share *share, const struct panel_job *job, uint32_t time_ms, struct hal_display *display)
+static int panel_picture(struct share *share, const struct panel_job *job, uint32_t time_ms, struct panel *panel)
 {
-    share->display = display;
-    program_write(display ? "show\n" : "draw\n");
+    share->display = panel ? &panel->display : 0;
+    program_write(panel ? "show\n" : "draw\n");
     int error = share_begin(share, job->scene->blob, time_ms);
     if (error == 0)
         error = share_draw(share);
     if (error == 0)
         error = share_finish(share);
-    if (display && error == 0)
-        error = ((struct panel *)display)->bus->ops->wait(((struct panel *)display)->bus);
-    program_write(display ? "shown\n" : "drawn\n");
+    if (panel && error == 0)
+        error = panel->bus->ops->wait(panel->bus);
+    program_write(panel ? "shown\n" : "drawn\n");
     return error;
 }
 
-/* Pictures one after the other, each sent whole, without a look at the tearing signal: what the board can at most. */
+/* Pictures one after the other, each sent whole: nothing waits for the display but for want of buffers. */
 static int panel_in_a_row(struct share *share, const struct panel_job *job, struct panel *panel)
 {
-    struct hal_bus *bus = panel->bus, row_bus;
-    struct hal_bus_ops ops = *bus->ops;
     int error = 0;
-    ops.tearing = 0;
-    row_bus.ops = &ops;
-    panel->bus = &row_bus;
-    share->display = &panel->display;
     for (unsigned i = 0; i <= IN_A_ROW && error == 0; i++) {
         panel_repaint(panel);
         error = share_begin(share, job->scene->blob, job->time_ms);
@@ -63,7 +57,21 @@ static int panel_in_a_row(struct share *share, const struct panel_job *job, stru
             program_write("row\n");
     }
     program_write("rowed\n");
-    error = error == 0 ? share_finish(share) : error;
+    return error == 0 ? share_finish(share) : error;
+}
+
+/* What the board can without a look at the tearing signal: whole and by changes once more, then in a row. */
+static int panel_freely(struct share *share, const struct panel_job *job, struct panel *panel)
+{
+    struct hal_bus *bus = panel->bus, free_bus;
+    struct hal_bus_ops ops = *bus->ops;
+    ops.tearing = 0;
+    free_bus.ops = &ops;
+    panel->bus = &free_bus;
+    panel_repaint(panel);
+    int error = panel_picture(share, job, 0, panel);
+    error = error == 0 ? panel_picture(share, job, job->time_ms, panel) : error;
+    error = error == 0 && job->cores ? panel_in_a_row(share, job, panel) : error;
     panel->bus = bus;
     return error;
 }
@@ -100,13 +108,11 @@ static int panel_run(const struct panel_job *job, const struct board *board)
         display->ops->open(display, board->width, board->height, HAL_RGB565) != 0)
         return 2;
     /* The first makes the colour tables too. */
-    if (panel_frame(&share, job, 0, 0) != 0 || panel_frame(&share, job, job->time_ms, 0) != 0 ||
-        panel_frame(&share, job, 0, display) != 0)
+    if (panel_picture(&share, job, 0, 0) != 0 || panel_picture(&share, job, job->time_ms, 0) != 0 ||
+        panel_picture(&share, job, 0, panel) != 0)
         return 3;
     program_write("first\n");
-    if (panel_frame(&share, job, job->time_ms, display) != 0)
-        return 3;
-    if (job->cores && panel_in_a_row(&share, job, panel) != 0)
+    if (panel_picture(&share, job, job->time_ms, panel) != 0 || panel_freely(&share, job, panel) != 0)
         return 3;
     return share.frame.stats.dropped ? 1 : 0;
 }

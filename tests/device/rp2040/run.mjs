@@ -64,7 +64,7 @@ try {
     faults.forEach((text) => console.error(`${image}: ${text}`));
     const [row] = passages(board.lines, 'row', 'rowed');
     const draw = passages(board.lines, 'draw', 'drawn'), show = passages(board.lines, 'show', 'shown');
-    console.log(`${command}: cycles ${draw[1]} drawn, ${show[0]} sent whole, ${show[1]} sent by changes;`,
+    console.log(`${command}: cycles ${draw[1]} drawn, ${show[2]} sent whole, ${show[3]} sent by changes;`,
         `bytes ${bytes[2] - bytes[1]}, ${bytes[4] - bytes[3]}; SPI ${board.spiHz / 1e6} MHz, CPU ${board.mcu.clkSys / 1e6} MHz`);
     if (row) console.log(`${command}: cycles ${Math.round(row / IN_A_ROW)} a picture sent whole, of ${IN_A_ROW} in a row`);
     if (symbols) profile(board.counts);
