@@ -99,7 +99,7 @@ static int share_band(struct share *s, int assisting)
     if (assisting)
         atomic_store(&s->assisting, 0);
     else
-        s->draw_us += clock_us() - begin;
+        s->part_us += clock_us() - begin;
     share_notify(s);
     share_send(s);
     return 1;
@@ -137,7 +137,7 @@ int share_begin(struct share *s, const void *scene, uint32_t time_ms)
         return error;
     if (s->core)
         glint_worker_begin(&s->worker, &s->frame);
-    s->draw_us = clock_us() - begin;
+    s->part_us = clock_us() - begin;
     return 0;
 }
 
@@ -150,6 +150,7 @@ int share_draw(struct share *s)
     share_notify(s);
     while (share_band(s, 0))
         ;
+    s->draw_us = s->part_us;
     while (atomic_load(&s->assisting))
         share_wait(s);
     if (s->core)

@@ -32,6 +32,7 @@ struct share {
     struct glint_frame frame;
 
     uint32_t draw_us; /* what the first CPU took for its part of the last picture, without the display */
+    uint32_t part_us; /* of that in hand, so far */
 
     struct glint_frame worker; /* the second CPU's */
     uint32_t buffers, count;   /* how many; bands a picture */
