@@ -3,6 +3,7 @@
 #ifndef BOARD_H
 #define BOARD_H
 
+#include "core.h"
 #include "display.h"
 
 struct board {
@@ -12,9 +13,12 @@ struct board {
     uint16_t band_rows;
     uint8_t format; /* enum hal_pixel_format: RGB565 or GREY4 */
     uint8_t dither; /* 1: ordered dither */
-    void *band[2];  /* band_rows rows of the format each, aligned to 4 */
+    void *band[4];  /* band_rows rows of the format each, aligned to 4: two, or four where there is a second CPU */
     void *memory;   /* the renderer's, aligned to 4 */
     uint32_t memory_bytes;
+    const struct hal_core *core; /* the second CPU; null: none */
+    void *worker;                /* its memory (glint_worker_memory_needed()), aligned to 4 */
+    uint32_t worker_bytes;
 };
 
 /* Starts clocks, pins, time, keys and the serial line. Called once, first. */

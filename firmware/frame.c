@@ -37,6 +37,21 @@ FX_COLD static void add_object(struct glint_frame *f, const struct view *view, c
     f->object_count++;
 }
 
+/* What a raster keeps while a picture is drawn. */
+static void begin_raster(struct raster *r, const struct glint_frame *f)
+{
+    const struct scene_header *scene = f->scene;
+    r->surface_material = RASTER_NO_MATERIAL;
+    r->surface.form = f->config.power;
+    r->input.surface = &r->surface;
+    r->input.colours = 0;
+    r->input.sampled = f->config.power || scene->camera.viewer != VIEWER_INFINITE;
+    for (unsigned i = 0; i < scene->light_count; i++)
+        r->input.sampled |= scene_lights(scene)[i].kind == LIGHT_POINT;
+    r->input.divides = scene->camera.kind == CAMERA_PERSPECTIVE;
+    r->input.no_plan = (f->config.flags & GLINT_NO_PLAN) != 0;
+}
+
 void glint_turn(struct glint_frame *f, uint16_t yaw, uint16_t pitch)
 {
     f->yaw = yaw;
@@ -54,16 +69,10 @@ FX_COLD int glint_frame_begin(struct glint_frame *f, const void *scene, uint32_t
     f->light_count = (uint8_t)header->light_count;
     f->vertex_stride = (uint16_t)(VERTEX_LIGHTS + 2 * f->light_count + f->config.method->vertex_words);
     f->vertex_count = f->triangle_count = f->clipped_count = f->object_count = 0;
-    f->active = f->queued = f->next_row = 0;
+    f->oldest = f->next_row = 0;
     f->band_index = 0;
     f->stats = (struct glint_stats){0};
-    f->raster->surface_material = RASTER_NO_MATERIAL;
-    f->raster->input.surface = &f->raster->surface;
-    f->raster->surface.form = f->config.power;
-    f->raster->input.sampled = f->config.power || header->camera.viewer != VIEWER_INFINITE;
-    for (unsigned i = 0; i < header->light_count; i++)
-        f->raster->input.sampled |= scene_lights(header)[i].kind == LIGHT_POINT;
-    f->raster->input.divides = header->camera.kind == CAMERA_PERSPECTIVE;
+    begin_raster(f->raster, f);
 
     struct view *view = &f->raster->begin.view;
     view_setup(view, header, f->config.width, f->config.height);
@@ -92,6 +101,14 @@ FX_COLD static void gather_piece(struct raster *r, const struct clipped_triangle
     in->weight = (const uint16_t(*)[3])r->weight;
 }
 
+static void take_material(struct raster *r, const struct scene_header *scene, unsigned material)
+{
+    r->surface_material = (uint16_t)material;
+    surface_setup(&r->surface, scene, scene_materials(scene) + material, &r->palette);
+    raster_find_table(r);
+    r->input.tabled = r->surface_table != 0;
+}
+
 /* Turns a listed triangle into the rasteriser's input: corners 0, 2, 1, which is clockwise with y down. */
 static void gather(struct glint_frame *f, const struct triangle_ref *ref)
 {
@@ -118,12 +135,8 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     in->lights[2] = corner + VERTEX_LIGHTS;
     if (piece)
         gather_piece(r, piece);
-    if (r->surface_material != triangle->material) {
-        r->surface_material = triangle->material;
-        surface_setup(&r->surface, f->scene, scene_materials(f->scene) + triangle->material, &r->palette);
-        raster_find_table(r);
-        in->tabled = r->surface_table != 0;
-    }
+    if (r->surface_material != triangle->material)
+        take_material(r, f->scene, triangle->material);
 }
 
 static void draw_triangle(struct glint_frame *f, const struct triangle_ref *ref)
@@ -154,45 +167,74 @@ static void draw_triangle(struct glint_frame *f, const struct triangle_ref *ref)
         (method->id == GLINT_X || method->id == GLINT_SIX) && !setup->quadratic && !setup->perspective;
 }
 
-int glint_frame_next_band(struct glint_frame *f, struct glint_band *band)
+int glint_frame_band(struct glint_frame *f, unsigned index, void *pixels, struct glint_band *band)
 {
-    if (!f || !band || !f->scene)
+    if (!f || !band || !pixels || ((uintptr_t)pixels & 3) || !f->scene)
         return GLINT_E_ARGUMENT;
-    if (f->next_row == f->config.height)
+    if (index >= (f->config.height + f->config.band_rows - 1u) / f->config.band_rows)
         return 0;
     struct raster *r = f->raster;
-    unsigned rows = f->config.height - f->next_row;
-    if (rows > f->config.band_rows)
-        rows = f->config.band_rows;
-    r->y0 = f->next_row;
-    r->y1 = (uint16_t)(f->next_row + rows);
-    r->pixels = f->config.band[f->config.band[1] ? f->band_index : 0];
-    r->input.no_plan = (f->config.flags & GLINT_NO_PLAN) != 0;
+    const unsigned y0 = index * f->config.band_rows, left = f->config.height - y0;
+    const unsigned rows = left < f->config.band_rows ? left : f->config.band_rows;
+    r->y0 = (uint16_t)y0;
+    r->y1 = (uint16_t)(y0 + rows);
+    r->pixels = pixels;
     raster_clear(r, f->scene);
 
-    /* Those that reach down from the band above, in order, then those that begin here; kept if they go on. */
-    unsigned kept = 0, at = 0, from = f->active, to = f->triangle_count;
-    while (at < from || f->queued < to) {
-        unsigned index;
-        if (at < from) {
-            index = f->order[at++];
-        } else {
-            if (f->triangles[f->order[f->queued]].first >= r->y1)
-                break;
-            index = f->order[f->queued++];
-        }
-        const struct triangle_ref *ref = &f->triangles[index];
-        draw_triangle(f, ref);
-        if (ref->last > r->y1)
-            f->order[kept++] = (uint16_t)index; /* kept <= at + queued: never ahead of what is read */
+    /* By first row, then as they came, those that end above left out: all before the oldest do. */
+    unsigned at = y0 < f->next_row ? 0 : f->oldest;
+    const unsigned end = f->rows[r->y1 - 1];
+    while (at < end && f->triangles[f->order[at]].last <= y0)
+        at++;
+    f->oldest = (uint16_t)at;
+    f->next_row = r->y1;
+    for (; at < end; at++) {
+        const struct triangle_ref *ref = &f->triangles[f->order[at]];
+        if (ref->last > y0)
+            draw_triangle(f, ref);
     }
-    f->active = (uint16_t)kept;
 
-    band->pixels = r->pixels;
+    band->pixels = pixels;
     band->y = r->y0;
     band->rows = (uint16_t)rows;
     band->stride = r->stride;
-    f->next_row = r->y1;
-    f->band_index ^= 1;
     return 1;
+}
+
+int glint_frame_next_band(struct glint_frame *f, struct glint_band *band)
+{
+    if (!f || !f->scene)
+        return GLINT_E_ARGUMENT;
+    if (f->next_row == f->config.height)
+        return 0;
+    void *pixels = f->config.band[f->config.band[1] ? f->band_index : 0];
+    f->band_index ^= 1;
+    return glint_frame_band(f, f->next_row / f->config.band_rows, pixels, band);
+}
+
+void glint_worker_begin(struct glint_frame *worker, struct glint_frame *f)
+{
+    struct raster *r = f->raster;
+    /* Now, as two that found one missing would make it at once. */
+    for (unsigned i = 0; i < r->tables && i < f->scene->material_count; i++)
+        take_material(r, f->scene, i);
+    r->input.colours = r->colours;
+    r = worker->raster;
+    *worker = *f;
+    worker->raster = r;
+    worker->depth = r->depth;
+    worker->stats = (struct glint_stats){0};
+    begin_raster(r, f);
+    r->input.colours = r->colours;
+}
+
+void glint_worker_end(const struct glint_frame *worker, struct glint_frame *f)
+{
+    for (unsigned i = 0; i < GLINT_METHODS; i++) {
+        f->stats.drawn[i] += worker->stats.drawn[i];
+        f->stats.pixels[i] += worker->stats.pixels[i];
+    }
+    f->stats.specular_triangles += worker->stats.specular_triangles;
+    f->stats.linear_triangles += worker->stats.linear_triangles;
+    f->stats.setups += worker->stats.setups;
 }

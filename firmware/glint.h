@@ -5,7 +5,7 @@
  * The caller owns every byte. glint_init() divides one block of memory, glint_frame_begin() transforms, lights, clips
  * and sorts a scene at a moment of its animation, and glint_frame_next_band() draws a few rows at a time into the
  * caller's band buffers, top to bottom. Nothing is allocated, nothing is static, nothing calls out; several renderers
- * can be under way at once.
+ * can be under way at once, and several CPUs can draw one picture.
  */
 #ifndef GLINT_H
 #define GLINT_H
@@ -159,14 +159,13 @@ struct glint_frame {
     uint8_t light_count;
     uint16_t vertex_stride; /* int16_t a vertex record */
     uint16_t vertex_count, triangle_count, clipped_count, object_count;
-    /* of order[]: [0, active) reach below the last band, [queued, triangle_count) are to come */
-    uint16_t active, queued;
+    uint16_t oldest; /* of order[]: all before it end above next_row */
     struct object_state *objects;
     int16_t *vertices;
     struct triangle_ref *triangles;
     struct clipped_triangle *clipped;
     uint16_t *order; /* triangles by first row, then as submitted */
-    uint16_t *rows;  /* for the sort */
+    uint16_t *rows;  /* how many of them begin in a row or above it */
     uint16_t *depth;
     struct raster *raster;
 };
@@ -199,5 +198,35 @@ int glint_frame_begin(struct glint_frame *frame, const void *scene, uint32_t tim
 
 /* Draws the next band: 1 and the band, or 0 after the last. */
 int glint_frame_next_band(struct glint_frame *frame, struct glint_band *band);
+
+/* Draws band `index`, rows index * band_rows and on, into pixels of the caller's (glint_band_bytes(), aligned to 4): 1
+ * and the band, or 0 if there is none. Bands may come in any order; from top to bottom is fastest. */
+int glint_frame_band(struct glint_frame *frame, unsigned index, void *pixels, struct glint_band *band);
+
+/*
+ * Several CPUs or threads on one picture. Each further one has a worker: a frame in memory of its own that draws bands
+ * from another's lists. While bands are drawn the lists are only read, so that a picture is the same whoever draws
+ * what.
+ *
+ *   once         glint_worker_init(&worker, &frame, memory, bytes)
+ *   a picture    glint_frame_begin(&frame, scene, time) and glint_worker_begin(&worker, &frame), one after the other;
+ *                at the same time, each with its own: glint_frame_band(&frame, ...), glint_frame_band(&worker, ...);
+ *                when all have done: glint_worker_end(&worker, &frame)
+ *
+ * Who draws which band, and that none is left out, is the caller's. A finished colour (gouraud, color6) is then made
+ * once a triangle, not once a vertex.
+ */
+
+/* Bytes of memory a worker takes, aligned as a pointer: the working state and a band's depth. */
+size_t glint_worker_memory_needed(const struct glint_config *config);
+
+/* Makes a worker for a frame that glint_init() made. */
+int glint_worker_init(struct glint_frame *worker, const struct glint_frame *frame, void *memory, size_t bytes);
+
+/* Readies a worker for the picture that has just begun, and makes the colour tables. */
+void glint_worker_begin(struct glint_frame *worker, struct glint_frame *frame);
+
+/* Adds the worker's statistics to the frame's. */
+void glint_worker_end(const struct glint_frame *worker, struct glint_frame *frame);
 
 #endif

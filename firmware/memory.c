@@ -6,7 +6,7 @@
 /* The bytes that README.md promises. */
 _Static_assert(sizeof(struct triangle_ref) == 8, "a listed triangle");
 _Static_assert(sizeof(struct clipped_triangle) == 40, "a piece made by clipping");
-_Static_assert(sizeof(void *) > 4 || (sizeof(struct object_state) == 248 && sizeof(struct raster) == 1800 &&
+_Static_assert(sizeof(void *) > 4 || (sizeof(struct object_state) == 248 && sizeof(struct raster) == 1828 &&
                                       sizeof(struct colour_table) == 16412),
                "an object, the working state, a colour table");
 
@@ -40,6 +40,11 @@ size_t glint_band_bytes(const struct glint_config *c)
     return words(glint_row_bytes(c) * c->band_rows);
 }
 
+static size_t depth_bytes(const struct glint_config *c)
+{
+    return words((size_t)c->width * c->band_rows * 2);
+}
+
 /* Hands out the memory in order; with f null it only counts. What holds pointers comes first, the rest are multiples
  * of 4. */
 static size_t divide(const struct glint_config *c, struct glint_frame *f)
@@ -59,7 +64,7 @@ static size_t divide(const struct glint_config *c, struct glint_frame *f)
     TAKE(vertices, (size_t)c->max_vertices * (VERTEX_LIGHTS + 2u * c->max_lights + c->method->vertex_words) * 2);
     TAKE(triangles, c->max_triangles * sizeof(struct triangle_ref));
     TAKE(order, c->max_triangles * 2u);
-    TAKE(depth, (size_t)c->width * c->band_rows * 2);
+    TAKE(depth, depth_bytes(c));
     TAKE(rows, (c->height + 1u) * 2u);
 #undef TAKE
     return at;
@@ -78,6 +83,21 @@ static struct palette palette_of(enum glint_format format)
     return palette;
 }
 
+/* What a raster keeps from picture to picture. */
+static void ready(struct raster *r, const struct glint_config *c)
+{
+    r->width = c->width;
+    r->height = c->height;
+    r->format = c->format;
+    r->dither = c->flags & GLINT_DITHER && (c->format == GLINT_RGB565 || c->format == GLINT_GREY4);
+    r->stride = (uint32_t)glint_row_bytes(c);
+    r->palette = palette_of(c->format);
+    r->split.area = c->subdivide_area ? c->subdivide_area : SPLIT_AREA;
+    r->split.threshold = c->subdivide_threshold ? c->subdivide_threshold : SPLIT_THRESHOLD;
+    r->split.tolerance = c->subdivide_tolerance ? c->subdivide_tolerance : SPLIT_TOLERANCE;
+    r->tables = c->method->uses_tables ? c->tables : 0;
+}
+
 int glint_init(struct glint_frame *f, const struct glint_config *c)
 {
     if (!f || !valid(c) || !c->band[0] || (((uintptr_t)c->band[0] | (uintptr_t)c->band[1]) & 3))
@@ -87,21 +107,31 @@ int glint_init(struct glint_frame *f, const struct glint_config *c)
     *f = (struct glint_frame){0};
     f->config = *c;
     divide(c, f);
-    struct raster *r = f->raster;
-    struct colour_table *tables = r->table;
-    r->width = c->width;
-    r->height = c->height;
-    r->format = c->format;
-    r->dither = c->flags & GLINT_DITHER && (c->format == GLINT_RGB565 || c->format == GLINT_GREY4);
-    r->stride = (uint32_t)glint_row_bytes(c);
-    r->depth = f->depth;
-    r->palette = palette_of(c->format);
-    r->split.area = c->subdivide_area ? c->subdivide_area : SPLIT_AREA;
-    r->split.threshold = c->subdivide_threshold ? c->subdivide_threshold : SPLIT_THRESHOLD;
-    r->split.tolerance = c->subdivide_tolerance ? c->subdivide_tolerance : SPLIT_TOLERANCE;
-    r->tables = c->method->uses_tables ? c->tables : 0;
+    struct colour_table *tables = f->raster->table;
+    ready(f->raster, c);
+    f->raster->depth = f->depth;
     for (unsigned i = 0; i < c->tables; i++)
         tables[i].exponent = 0;
+    return 0;
+}
+
+size_t glint_worker_memory_needed(const struct glint_config *c)
+{
+    return valid(c) ? words(sizeof(struct raster)) + depth_bytes(c) : 0;
+}
+
+int glint_worker_init(struct glint_frame *worker, const struct glint_frame *f, void *memory, size_t bytes)
+{
+    if (!worker || !f)
+        return GLINT_E_ARGUMENT;
+    if (!memory || ((uintptr_t)memory & (_Alignof(struct raster) - 1)) ||
+        bytes < glint_worker_memory_needed(&f->config))
+        return GLINT_E_MEMORY;
+    *worker = (struct glint_frame){.config = f->config, .raster = memory};
+    worker->depth = (uint16_t *)(void *)((uint8_t *)memory + words(sizeof(struct raster)));
+    ready(worker->raster, &f->config);
+    worker->raster->depth = worker->depth;
+    worker->raster->table = f->raster->table;
     return 0;
 }
 

@@ -25,9 +25,9 @@ struct hal_display_ops {
     /* A picture begins; it will be shown for `delay_ms` if this display keeps time. Optional. */
     int (*frame_begin)(struct hal_display *, uint32_t index, uint32_t delay_ms);
     /* Take rows y .. y + rows - 1, top to bottom. May return while the pixels are still on their way: the caller then
-     * leaves them alone until the next call returns. Never two bands in flight. */
+     * leaves them alone until the next flush, frame_begin or close returns. Never two bands in flight. */
     int (*flush)(struct hal_display *, const void *pixels, uint16_t y, uint16_t rows, uint32_t stride);
-    /* The picture is complete. Optional. */
+    /* The picture is complete; its last band may still be on its way. Optional. */
     int (*frame_end)(struct hal_display *);
     /* Finish: keep == 0 discards what was made (an error elsewhere). Called once, after open succeeded. */
     int (*close)(struct hal_display *, int keep);

@@ -3,8 +3,9 @@
 #include "boards/rp2040.h"
 
 #define SIZE      240u
-#define BAND_ROWS 60u            /* a band takes 28,800 bytes, its depth as many */
-#define MEMORY    (160u * 1024u) /* bytes: 4000 triangles with a table */
+#define BAND_ROWS 30u            /* a band takes 11,520 bytes, its depth as many */
+#define MEMORY    (140u * 1024u) /* bytes: 4000 triangles with a table */
+#define WORKER    (17u * 1024u)  /* bytes: a band's depth and the working state */
 
 static const struct rp2040_button buttons[] = {
     {23, HAL_UP}, {20, HAL_DOWN}, {22, HAL_LEFT}, {21, HAL_RIGHT}, {18, HAL_A}, {19, HAL_B}, {17, HAL_X}, {16, HAL_Y},
@@ -12,7 +13,7 @@ static const struct rp2040_button buttons[] = {
 
 static const uint8_t extra[] = {0xBB, 1, 0x25}; /* VCOMS of this glass */
 
-static uint32_t band[2][SIZE * BAND_ROWS / 2], memory[MEMORY / 4], sums[SIZE];
+static uint32_t band[4][SIZE * BAND_ROWS / 2], memory[MEMORY / 4], worker[WORKER / 4], sums[SIZE];
 
 const struct rp2040_board rp2040_board = {
     .uart_tx = 0,
@@ -47,7 +48,10 @@ const struct board rp2040_app = {
     .height = SIZE,
     .band_rows = BAND_ROWS,
     .format = HAL_RGB565,
-    .band = {band[0], band[1]},
+    .band = {band[0], band[1], band[2], band[3]},
     .memory = memory,
     .memory_bytes = sizeof memory,
+    .core = &rp2040_core1,
+    .worker = worker,
+    .worker_bytes = sizeof worker,
 };

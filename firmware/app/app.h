@@ -30,6 +30,7 @@
 #include "app/control.h"
 #include "app/program_scene.h"
 #include "app/remote.h"
+#include "app/share.h"
 #include "app/text.h"
 #include "boards/board.h"
 
@@ -39,11 +40,10 @@ struct app {
     struct control control;
     struct remote remote;
     const char *problem; /* why there is no picture, or null */
-    struct glint_frame frame;
+    struct share share;
     uint32_t buttons; /* seen while the last picture was drawn: what is pressed shortly is not missed */
-    uint32_t draw_us; /* the last picture, without the display */
     uint32_t rate;    /* pictures a second, times 10; 0: none follow one another */
-    uint32_t sent;    /* bytes of the last picture, where the display counts them */
+    uint32_t sent;    /* bytes of the last picture that is complete, where the display counts them */
 };
 
 static inline const struct program_scene *app_scene(const struct app *app)
@@ -61,6 +61,9 @@ void show_ready(struct app *app);
 
 /* Draws the moment, the problem or the display's test, and sends it: 0, or the display's error. */
 int show_frame(struct app *app);
+
+/* Returns when the picture is on the display, which with a second CPU may be later: 0, or the display's error. */
+int show_finish(struct app *app);
 
 /* The next picture is sent whole, where the display leaves out what has not changed. */
 void show_repaint(const struct app *app);

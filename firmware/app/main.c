@@ -54,10 +54,12 @@ static int main_open(const struct board *board)
 
 /* A write-only bus shows no fault; one that does is told and the display begun anew. 0: the picture is on the display.
  */
-static int main_show(struct app *app)
+static int main_show(struct app *app, int report)
 {
     struct hal_display *display = app->board->display;
     int error = show_frame(app);
+    if (!error && report)
+        error = show_finish(app);
     if (error) {
         machine_write("error display\n");
         display->ops->close(display, 0);
@@ -125,7 +127,7 @@ int main(void)
             show_repaint(app);
         main_count(&state, effect & CONTROL_DRAW);
         effect &= CONTROL_DRAW | CONTROL_REPORT;
-        if (effect && main_show(app) == 0) {
+        if (effect && main_show(app, effect & CONTROL_REPORT) == 0) {
             if (effect & CONTROL_REPORT)
                 main_tell(app);
             effect = 0;

@@ -98,8 +98,8 @@ void remote_band(struct app *app, const struct glint_band *band)
 
 void remote_end(struct app *app)
 {
-    const struct glint_stats *stats = &app->frame.stats;
-    struct stream_statistics statistics = {.draw_us = app->draw_us,
+    const struct glint_stats *stats = &app->share.frame.stats;
+    struct stream_statistics statistics = {.draw_us = app->share.draw_us,
                                            .pack_us = app->remote.pack_us,
                                            .triangles = stats->triangles,
                                            .dropped = stats->dropped};

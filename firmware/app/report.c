@@ -21,7 +21,7 @@ static void report_frame(const struct app *app, struct text_line *line)
     text_add(line, " ");
     text_add_number(line, c->moment_ms);
     text_add(line, " ms");
-    report_clause(line, "", app->draw_us, " us, turn ");
+    report_clause(line, "", app->share.draw_us, " us, turn ");
     text_add_angle(line, c->yaw);
     text_add(line, ",");
     text_add_angle(line, c->pitch);
@@ -29,8 +29,8 @@ static void report_frame(const struct app *app, struct text_line *line)
     report_clause(line, "", app->sent, " bytes");
     if (c->running)
         text_add(line, ", running");
-    if (app->frame.stats.dropped)
-        report_clause(line, "", app->frame.stats.dropped, " dropped");
+    if (app->share.frame.stats.dropped)
+        report_clause(line, "", app->share.frame.stats.dropped, " dropped");
 }
 
 void report_test(const struct app *app, struct text_line *line)

@@ -53,6 +53,21 @@ static int show_fit(struct glint_config *config)
     return config->max_triangles ? 0 : GLINT_E_MEMORY;
 }
 
+static void show_overlay(void *argument, const struct glint_band *band, int assisting);
+
+static void show_share(struct app *app)
+{
+    const struct board *board = app->board;
+    struct share *share = &app->share;
+    share->core = board->core;
+    share->display = board->display;
+    for (unsigned i = 0; i < SHARE_MOST_BANDS; i++)
+        share->band[i] = board->band[i];
+    share->over = show_overlay;
+    share->context = app;
+    share_ready(share, board->worker, board->worker_bytes);
+}
+
 void show_ready(struct app *app)
 {
     struct glint_config config = show_config(app);
@@ -63,8 +78,10 @@ void show_ready(struct app *app)
         return;
     }
     glint_fit_stores(&config, scene->blob);
-    if (show_fit(&config) != 0 || glint_init(&app->frame, &config) != 0)
+    if (show_fit(&config) != 0 || glint_init(&app->share.frame, &config) != 0)
         app->problem = "no room for its vertices";
+    else
+        show_share(app);
 }
 
 static struct text_canvas show_canvas(const struct app *app, const struct glint_band *band)
@@ -81,11 +98,11 @@ static void show_figures(const struct app *app, const struct text_canvas *canvas
         text_add_number(&line, app->rate % 10);
         text_add(&line, " fps ");
     }
-    text_add_number(&line, app->draw_us);
+    text_add_number(&line, app->share.draw_us);
     text_add(&line, " us");
-    if (app->frame.stats.dropped) {
+    if (app->share.frame.stats.dropped) {
         text_add(&line, " ");
-        text_add_number(&line, app->frame.stats.dropped);
+        text_add_number(&line, app->share.frame.stats.dropped);
         text_add(&line, " dropped");
     }
     text_draw(canvas, 0, 0, line.text);
@@ -97,9 +114,13 @@ static void show_figures(const struct app *app, const struct text_canvas *canvas
     text_draw(canvas, 0, app->board->height - text_height(canvas->width), line.text);
 }
 
-static void show_overlay(const struct app *app, const struct glint_band *band)
+/* Figures and menu, on a band of the picture; a second CPU leaves the buttons to the first. */
+static void show_overlay(void *argument, const struct glint_band *band, int assisting)
 {
+    struct app *app = argument;
     struct text_canvas canvas = show_canvas(app, band);
+    if (!assisting)
+        app->buttons |= input_buttons();
     if (app->control.figures)
         show_figures(app, &canvas);
     if (app->control.menu)
@@ -167,38 +188,62 @@ static int show_plain(struct app *app, struct hal_display *display)
     return result;
 }
 
-/* Draws and sends the bands; adds the time it took to draw. */
+/* The scene's picture, by one CPU. */
 static int show_scene(struct app *app, struct hal_display *display)
 {
+    struct share *share = &app->share;
     struct glint_band band;
-    uint32_t begin = clock_us(), spent_us = 0;
+    uint32_t begin = clock_us();
     int result = 0;
-    glint_turn(&app->frame, app->control.yaw, app->control.pitch);
-    if (glint_frame_begin(&app->frame, app_scene(app)->blob, app->control.moment_ms) != 0) {
-        app->problem = "cannot be drawn";
-        return show_plain(app, display);
-    }
-    while (!result && glint_frame_next_band(&app->frame, &band)) {
-        spent_us += clock_us() - begin;
-        app->buttons |= input_buttons();
-        show_overlay(app, &band);
+    while (!result && glint_frame_next_band(&share->frame, &band)) {
+        show_overlay(app, &band, 0);
+        share->part_us += clock_us() - begin;
         result = show_band(app, display, &band);
         begin = clock_us();
     }
-    app->draw_us = spent_us;
+    share->draw_us = share->part_us;
+    return result;
+}
+
+/* Bands that are sent one after the other as they are made. */
+static int show_alone(struct app *app, int (*bands)(struct app *, struct hal_display *))
+{
+    struct hal_display *display = app->board->display;
+    int result = share_finish(&app->share);
+    if (!result && display->ops->frame_begin)
+        result = display->ops->frame_begin(display, 0, 0);
+    if (!result)
+        result = bands(app, display);
+    if (!result && display->ops->frame_end)
+        result = display->ops->frame_end(display);
     return result;
 }
 
 int show_frame(struct app *app)
 {
-    struct hal_display *display = app->board->display;
-    int result = display->ops->frame_begin ? display->ops->frame_begin(display, 0, 0) : 0;
+    struct share *share = &app->share;
+    if (show_panel(app))
+        app->sent = show_panel(app)->sent_last;
     remote_begin(app);
-    if (!result)
-        result = app->control.test || app->problem ? show_plain(app, display) : show_scene(app, display);
-    if (!result && display->ops->frame_end)
-        result = display->ops->frame_end(display);
+    if (!app->control.test && !app->problem) {
+        glint_turn(&share->frame, app->control.yaw, app->control.pitch);
+        if (share_begin(share, app_scene(app)->blob, app->control.moment_ms) != 0)
+            app->problem = "cannot be drawn";
+        else if (!app->remote.sending)
+            return share_draw(share);
+    }
+    int result = show_alone(app, app->control.test || app->problem ? show_plain : show_scene);
     remote_end(app);
-    app->sent = show_panel(app) ? show_panel(app)->sent : 0;
+    return result;
+}
+
+int show_finish(struct app *app)
+{
+    int result = share_finish(&app->share);
+    struct panel *panel = show_panel(app);
+    if (panel && !result)
+        result = panel->bus->ops->wait(panel->bus);
+    if (panel)
+        app->sent = panel->sent_last;
     return result;
 }

@@ -87,6 +87,9 @@ static inline uint32_t fx_mulhi_u32(uint32_t a, uint32_t b)
     return (uint32_t)((uint64_t)a * b >> 32);
 #endif
 }
+#if FX_NARROW && defined(__thumb__)
+int32_t fx_mulhi_s32(int32_t a, int32_t b); /* a call: inline, it would drive everything else from eight registers */
+#else
 static inline int32_t fx_mulhi_s32(int32_t a, int32_t b)
 {
 #if FX_NARROW
@@ -95,6 +98,7 @@ static inline int32_t fx_mulhi_s32(int32_t a, int32_t b)
     return (int32_t)((int64_t)a * b >> 32);
 #endif
 }
+#endif
 
 static inline unsigned fx_clz_narrow(uint32_t x)
 {

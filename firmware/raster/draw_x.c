@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The pixels of X-shading and of the six-sample quadratic. */
 #include "raster/dots.h"
+#include "raster/pixels.h"
 #include "raster/runs.h"
 
 /* A channel's value and first difference at column i, row j of its origin, for the loops below. Nothing is carried from
@@ -60,22 +61,12 @@ RUNS_APART static void shade_run(struct raster *r, int x, int y, int n)
         shade_grey(r, x, y, n, 0);
 }
 
-/* The shape compilers know as a saturation. */
-static inline int32_t clamped(int32_t x, int32_t top)
-{
-    int32_t y = x < 0 ? 0 : x;
-    return y > top ? top : y;
-}
-
-/*
- * The loop of a case: diffuse (and a highlight where `highlight`), quadratic or linear, into 565 through a table. A
- * template: always called with constants. N.L is indexed by its top 6 bits of fraction, N.H from the foot of the
- * power; both clamped, as the table's first and last entries stand for all beyond.
- */
-FX_WRAPS static inline __attribute__((always_inline)) uint32_t
-spans(struct raster *r, struct edges *e, const uint16_t *colours, int diffuse, int highlight, int quadratic)
+/* The spans of a case into 565 through a table. A template: always called with a constant. */
+FX_WRAPS static inline __attribute__((always_inline)) uint32_t spans(struct raster *r, struct edges *e,
+                                                                     const uint16_t *colours, unsigned kind)
 {
     const struct shade_setup *setup = &r->setup;
+    const int quadratic = (kind & PIXELS_QUADRATIC) != 0;
     /* A linear case's few coefficients are copied near the stack pointer, where ARMv6-M reaches them in one load. */
     const struct polynomial copy_z = setup->depth.p, copy_l = setup->channel[0].p, copy_h = setup->channel[1].p;
     const struct polynomial *pz = quadratic ? &setup->depth.p : &copy_z,
@@ -83,7 +74,6 @@ spans(struct raster *r, struct edges *e, const uint16_t *colours, int diffuse, i
                             *ph = quadratic ? &setup->channel[1].p : &copy_h;
     const uint32_t al = 2 * pl->a, ah = 2 * ph->a, dz = pz->d, width = r->width;
     const int down = 23 - r->surface.power->octave, ox = setup->plane.ox;
-    /* One pointer for both stores: they have the same shape. */
     const uintptr_t to_pixels = (uintptr_t)r->pixels - (uintptr_t)r->depth;
     volatile uint32_t hidden = 0; /* few: kept out of the registers, which the loop needs */
     uint32_t j = (uint32_t)(e->row - setup->plane.oy), covered = 0;
@@ -94,56 +84,102 @@ spans(struct raster *r, struct edges *e, const uint16_t *colours, int diffuse, i
             int32_t n = span->x1 - span->x0;
             if (n <= 0)
                 continue;
-            uint32_t i = (uint32_t)(span->x0 - ox), dl = 0, dh = 0, vl = 0, vh = 0;
-            uint32_t vz = pz->f + pz->e * j + dz * i;
-            if (diffuse)
-                vl = start_value(pl, i, j, quadratic, &dl);
-            if (highlight)
-                vh = start_value(ph, i, j, quadratic, &dh);
-            uint16_t *depth = row + span->x0, *end = row + span->x1;
+            uint32_t i = (uint32_t)(span->x0 - ox);
+            struct pixels_values v = {.z = pz->f + pz->e * j + dz * i, .dz = dz, .al = al, .ah = ah};
+            if (kind & PIXELS_DIFFUSE)
+                v.l = start_value(pl, i, j, quadratic, &v.dl);
+            if (kind & PIXELS_HIGHLIGHT)
+                v.h = start_value(ph, i, j, quadratic, &v.dh);
             covered += (uint32_t)n;
-            do {
-                uint32_t nearer = vz >> 16;
-                if (nearer > *depth) {
-                    const uint16_t *entry = colours;
-                    *depth = (uint16_t)nearer;
-                    if (highlight)
-                        entry += clamped((int32_t)vh >> down, TABLE_HIGHLIGHT - 1) * TABLE_DIFFUSE;
-                    if (diffuse)
-                        entry += clamped((int32_t)vl >> 24, TABLE_DIFFUSE - 1);
-                    *(uint16_t *)((uintptr_t)depth + to_pixels) = *entry;
-                } else {
-                    hidden = hidden + 1;
-                }
-                fx_step(&vz, dz);
-                if (diffuse) {
-                    vl += dl;
-                    if (quadratic)
-                        fx_step(&dl, al);
-                }
-                if (highlight) {
-                    vh += dh;
-                    if (quadratic)
-                        fx_step(&dh, ah);
-                }
-            } while (++depth != end);
+            pixels_plain(v, row + span->x0, row + span->x1, to_pixels, colours, down, &hidden, kind);
         }
     } while (e->row < e->last);
     return covered - hidden;
 }
 
 /* One function a case, none inlined into another, so that each has all registers to itself. */
-#define CASE(name, diffuse, highlight, quadratic)                                              \
+#define CASE(name, kind)                                                                       \
     FX_WRAPS static __attribute__((noinline)) uint32_t name(struct raster *r, struct edges *e, \
                                                             const uint16_t *colours)           \
     {                                                                                          \
-        return spans(r, e, colours, diffuse, highlight, quadratic);                            \
+        return spans(r, e, colours, kind);                                                     \
     }
-CASE(spans_dark, 0, 0, 0)
-CASE(spans_diffuse, 1, 0, 0)
-CASE(spans_diffuse_quadratic, 1, 0, 1)
-CASE(spans_both, 1, 1, 0)
-CASE(spans_both_quadratic, 1, 1, 1)
+#define BOTH (PIXELS_DIFFUSE | PIXELS_HIGHLIGHT)
+CASE(spans_dark, 0)
+#if PIXELS_BY_HAND
+CASE(spans_wide, BOTH | PIXELS_QUADRATIC)
+
+static uint32_t spans_by_hand(struct raster *r, struct edges *e, const uint16_t *colours,
+                              void (*draw)(struct pixels_rows *))
+{
+    const struct plane *plane = &r->setup.plane;
+    const uint32_t stride = 2u * r->width;
+    struct pixels_rows rows = {.channel = &r->setup.depth,
+                               .row = (uint8_t *)r->depth + (uint32_t)(e->row - r->y0) * stride,
+                               .stride = stride,
+                               .j = (uint32_t)(e->row - plane->oy),
+                               .ox = (uint32_t)plane->ox,
+                               .table = colours,
+                               .to_pixels = (uintptr_t)r->pixels - (uintptr_t)r->depth};
+    do {
+        rows.span = r->span;
+        rows.last = r->span + raster_spans(r, e);
+        draw(&rows);
+    } while (e->row < e->last);
+    return rows.covered - rows.hidden;
+}
+#define spans_diffuse(r, e, colours)           spans_by_hand(r, e, colours, pixels_rows_diffuse)
+#define spans_diffuse_quadratic(r, e, colours) spans_by_hand(r, e, colours, pixels_rows_diffuse_quadratic)
+#define spans_both(r, e, colours)              spans_by_hand(r, e, colours, pixels_rows_both)
+#define spans_both_quadratic(r, e, colours)    spans_by_hand(r, e, colours, pixels_rows_both_quadratic)
+
+/* N.H from Q30 / 2^octave to Q30. */
+FX_WRAPS static void scale_up(struct polynomial *p, unsigned octave)
+{
+    p->f <<= octave;
+    p->d <<= octave;
+    p->e <<= octave;
+    p->a <<= octave;
+    p->b <<= octave;
+    p->c <<= octave;
+}
+#else
+CASE(spans_diffuse, PIXELS_DIFFUSE)
+CASE(spans_diffuse_quadratic, PIXELS_DIFFUSE | PIXELS_QUADRATIC)
+CASE(spans_both, BOTH)
+CASE(spans_both_quadratic, BOTH | PIXELS_QUADRATIC)
+#endif
+
+/* What no polynomial holds, from a table too: N.L and N.H of a run, and its colours. */
+RUNS_APART static void table_values(struct raster *r, int x, int y, int n)
+{
+    const struct shade_setup *setup = &r->setup;
+    for (int which = 0; which < 2; which++) {
+        if ((which ? setup->specular_lights : setup->diffuse_lights) != 0)
+            plane_values(&setup->plane, &setup->channel[which], x, y, n, r->value[which]);
+        else
+            for (int i = 0; i < n; i++)
+                r->value[which][i] = 0;
+    }
+}
+
+RUNS_APART static void table_write(struct raster *r, int x, int y, uint32_t mask)
+{
+    const int octave = r->surface.power->octave;
+    const int32_t half = 1 << 23, foot = (1 << 30) - (1 << (30 - octave)), *value = r->value[0];
+    uint16_t *pixel = (uint16_t *)(void *)(r->pixels + (uint32_t)(y - r->y0) * r->stride) + x;
+    for (; mask; mask >>= 1, value++, pixel++) {
+        if (!(mask & 1))
+            continue;
+        int32_t l = (value[0] + half) >> 24, h = value[RUN] < foot ? 0 : (value[RUN] - foot) >> (23 - octave);
+        *pixel = r->surface_table->colour[pixels_clamped(h, TABLE_HIGHLIGHT - 1)][pixels_clamped(l, TABLE_DIFFUSE - 1)];
+    }
+}
+
+RUNS_APART static uint32_t draw_table_runs(struct raster *r, struct edges *e)
+{
+    return runs_draw_by(r, e, table_values, table_write);
+}
 
 RUNS_APART static uint32_t draw_runs(struct raster *r, struct edges *e)
 {
@@ -154,8 +190,10 @@ FX_WRAPS uint32_t raster_draw_dots(struct raster *r, struct edges *e)
 {
     struct shade_setup *setup = &r->setup;
     const struct colour_table *table = r->surface_table;
-    if (!table || setup->runs_only)
+    if (!table)
         return draw_runs(r, e);
+    if (setup->runs_only)
+        return draw_table_runs(r, e);
     const uint16_t *colours = table->colour[0];
     /* N.L rounded to the table's steps: half a step more. N.H counts from the foot of the power. */
     const uint32_t half = 1u << 23;
@@ -164,6 +202,11 @@ FX_WRAPS uint32_t raster_draw_dots(struct raster *r, struct edges *e)
             setup->channel[0].p = (struct polynomial){0}; /* a highlight alone: the loops read both */
         setup->channel[0].p.f += half;
         setup->channel[1].p.f += (1u << (30 - r->surface.power->octave)) - (1u << 30);
+#if PIXELS_BY_HAND
+        if (setup->wide)
+            return spans_wide(r, e, colours);
+        scale_up(&setup->channel[1].p, r->surface.power->octave);
+#endif
         return setup->quadratic ? spans_both_quadratic(r, e, colours) : spans_both(r, e, colours);
     }
     setup->channel[0].p.f += half;

@@ -74,23 +74,24 @@ int edges_setup(struct edges *e, const int16_t *const p[3], unsigned width, unsi
     return 1;
 }
 
-/* One row further. */
-static inline void step(int32_t *column, int32_t *rest, const struct edge *e)
+/* One row further. What is left over is kept less the divisor, in [-den, 0): its sign tells. */
+FX_WRAPS static inline void step(uint32_t *column, uint32_t *rest, const struct edge *e)
 {
-    *column += e->column_step;
-    *rest += e->rest_step;
-    if (*rest >= e->den) {
-        *rest -= e->den;
+    fx_step(column, (uint32_t)e->column_step);
+    fx_step(rest, (uint32_t)e->rest_step);
+    if ((int32_t)*rest >= 0) {
+        *rest -= (uint32_t)e->den;
         ++*column;
     }
 }
 
 /* Spans of the rows to `stop`, in which neither side turns. A side is stepped once past its end, which nothing reads.
  */
-static inline void rows(struct edges *e, struct span *out, int32_t stop)
+FX_WRAPS static inline void rows(struct edges *e, struct span *out, int32_t stop)
 {
     const struct edge left = e->left, right = e->right;
-    int32_t x0 = left.column, rest0 = left.rest, x1 = right.column, rest1 = right.rest;
+    uint32_t x0 = (uint32_t)left.column, rest0 = (uint32_t)(left.rest - left.den);
+    uint32_t x1 = (uint32_t)right.column, rest1 = (uint32_t)(right.rest - right.den);
     struct span *end = out + (stop - e->row);
     do {
         out->x0 = (int16_t)x0;
@@ -98,10 +99,10 @@ static inline void rows(struct edges *e, struct span *out, int32_t stop)
         step(&x0, &rest0, &left);
         step(&x1, &rest1, &right);
     } while (++out < end);
-    e->left.column = x0;
-    e->left.rest = rest0;
-    e->right.column = x1;
-    e->right.rest = rest1;
+    e->left.column = (int32_t)x0;
+    e->left.rest = (int32_t)rest0 + left.den;
+    e->right.column = (int32_t)x1;
+    e->right.rest = (int32_t)rest1 + right.den;
     e->row = stop;
 }
 

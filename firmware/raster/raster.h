@@ -66,7 +66,8 @@ struct raster {
         } begin;
     };
     uint16_t weight[3][3];
-    struct span span[SPANS];
+    uint16_t colours[3][COLOUR_WORDS];
+    _Alignas(uint32_t) struct span span[SPANS]; /* read as a word each */
     /* the run in hand */
     int32_t value[6][RUN];
     struct perspective_divisor divisor[RUN];

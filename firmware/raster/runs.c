@@ -62,7 +62,7 @@ FX_WRAPS uint32_t raster_visible(struct raster *r, int x, int y, int n)
     return test_steps(p->f + p->e * j + p->d * i, p->d, depth, depth + n);
 }
 
-uint32_t runs_draw(struct raster *r, struct edges *e, runs_shade *shade)
+uint32_t runs_draw_by(struct raster *r, struct edges *e, runs_shade *shade, runs_write *write)
 {
     uint32_t drawn = 0;
     int y = e->row;
@@ -78,7 +78,7 @@ uint32_t runs_draw(struct raster *r, struct edges *e, runs_shade *shade)
                 for (uint32_t hidden = ~mask & ((1u << n) - 1); hidden; hidden &= hidden - 1)
                     drawn--;
                 shade(r, x, y, n);
-                raster_write(r, x, y, mask);
+                write(r, x, y, mask);
             }
         }
     } while (e->row < e->last);

@@ -12,6 +12,10 @@ void colour_finished(const struct surface *surface, const int16_t *lights_q14, u
 const uint16_t *colour_corner(const struct shade_input *in, int k)
 {
     const struct surface *s = in->surface;
+    if (in->colours) {
+        colour_finished(s, in->lights[k], in->colours[k]);
+        return in->colours[k];
+    }
     uint16_t *kept = (uint16_t *)in->lights[k] + 2 * s->lights;
     const uint16_t tag = (uint16_t)(in->triangle->material + 1u);
     if (kept[3] != tag) {

@@ -5,13 +5,10 @@
 
 #include "shade/shade.h"
 
-/* Such a method's vertex_words: colours and a material's number behind a vertex record's lights. */
-#define COLOUR_WORDS 4
-
 /* Dot products of all lights (a vertex record's) to a colour, Q8 steps, at most 255 * 2^8. */
 void colour_finished(const struct surface *surface, const int16_t *lights_q14, uint16_t out[3]);
 
-/* That of a source corner: made once a vertex and material, and kept with the vertex. */
+/* That of a source corner: made once a vertex and material, and kept with the vertex, unless in->colours is given. */
 const uint16_t *colour_corner(const struct shade_input *in, int k);
 
 /* Bits of the largest colour, Q8: 12, 14 or 16. */

@@ -52,6 +52,14 @@ static inline uint32_t dots_highlight_slack(const struct surface *s, unsigned li
     return surface_diffuse(change, s->light[light].specular_most) >> 7;
 }
 
+/* N.H's place in the power's table beyond [-2, 2), for loops whose clamps are by sign (raster/pixels.h); 256 for the
+ * roundings. */
+static inline int dots_wide(const struct fx_power *power, struct bounds range, int32_t bend)
+{
+    const int32_t floor = bounds_power_floor(power), most = (32768 - 256) >> power->octave;
+    return floor - range.low + bend > most || range.high + bend - floor > most;
+}
+
 /* Whether one dot product of a light, within `range` at the corners and at most `bend` off linear, can show on the
  * triangle (`form`: by another power than the table); if so, *error is what leaving out the bend would change, in Q8
  * steps. Twice a triangle and light, with `highlight` constant. */
@@ -63,8 +71,12 @@ static inline __attribute__((always_inline)) int dots_show(struct shade_setup *s
     int32_t top = range.high + bend, floor = highlight && !form ? bounds_power_floor(s->power) : 1;
     int deep = highlight && range.low - bend - floor < -32768 + 256; /* less the floor, it may pass -2 in Q30 */
     *error = 0; /* steps in Q8 at full intensity times a Q14 bend: below 2^16 * 2^16 */
+    if (top < floor && (!in->no_plan || deep))
+        return 0;
+    if (FX_NARROW && highlight)
+        setup->wide |= (uint8_t)dots_wide(s->power, range, bend);
     if (top < floor)
-        return in->no_plan && !deep;
+        return 1;
     if (highlight) {
         *error = dots_highlight_slack(s, light, top, bend);
         setup->runs_only |= (uint8_t)deep;

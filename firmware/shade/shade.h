@@ -14,6 +14,9 @@ struct clipped_triangle {
     uint16_t weight[3][3]; /* of each corner: barycentric in the source triangle, Q15, sums to 32768 */
 };
 
+/* A finished colour, and the material's number where it is kept behind a vertex record's lights. */
+#define COLOUR_WORDS 4
+
 /* A triangle to be shaded. Corners stand clockwise on the screen (y down), so that determinants are positive. */
 struct shade_input {
     const int16_t *place[3];               /* x, y, depth of the corners */
@@ -23,9 +26,11 @@ struct shade_input {
     const uint16_t (*weight)[3];           /* null: the corners are the source's */
     const struct object_state *object;
     const struct surface *surface;
-    uint8_t divides; /* the view is a perspective one */
-    uint8_t no_plan; /* keep effects that cannot show */
-    uint8_t tabled;  /* a colour table holds the material's power, of N.H itself */
+    uint16_t (
+        *colours)[COLOUR_WORDS]; /* for finished colours; null: they are kept with the vertices, one CPU's alone */
+    uint8_t divides;             /* the view is a perspective one */
+    uint8_t no_plan;             /* keep effects that cannot show */
+    uint8_t tabled;              /* a colour table holds the material's power, of N.H itself */
     uint8_t sampled; /* mid-edges may need a look of their own: something is near, or the power has another form */
 };
 
@@ -84,6 +89,7 @@ struct shade_setup {
             uint8_t specular_lights; /* x: bit i: light i's highlight does */
             uint8_t quadratic;       /* some channel bends (x: visibly); 0: all are linear */
             uint8_t folded;    /* N.H is that of a form of the power folded with this `down`; 0: the dot product */
+            uint8_t wide;      /* x: N.H times 2^octave of the power, from its foot, leaves [-2, 2) */
             uint8_t runs_only; /* x: a channel that no polynomial holds, or N.H beyond what a table's loop can index */
         };
     };

@@ -110,9 +110,10 @@ static int panel_begin(struct hal_display *display, uint32_t index, uint32_t del
     panel->age = (uint16_t)(panel->age < UINT16_MAX ? panel->age + 1 : UINT16_MAX);
     panel->all = panel->repaint;
     panel->repaint = 0;
-    if (!error && bus->ops->tearing)
-        bus->ops->tearing(bus);
-    return error;
+    if (error || !bus->ops->tearing)
+        return error ? error : bus->ops->wait(bus);
+    bus->ops->tearing(bus);
+    return 0;
 }
 
 /* Sends rows that belong together. The window reaches to the picture's end, so that what follows needs none. */
@@ -160,11 +161,11 @@ static int panel_end(struct hal_display *display)
 {
     struct panel *panel = (struct panel *)display;
     struct hal_bus *bus = panel->bus;
-    int error = bus->ops->wait(bus);
-    if (error || panel->shown)
-        return error;
+    panel->sent_last = panel->sent;
+    if (panel->shown)
+        return 0; /* the last band is on its way, while the next picture is begun */
     panel->shown = 1;
-    error = wire_table(panel, panel->controller->on, UINT16_MAX);
+    int error = wire_table(panel, panel->controller->on, UINT16_MAX);
     if (bus->ops->backlight)
         bus->ops->backlight(bus, BACKLIGHT_FULL);
     return error;

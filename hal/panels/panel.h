@@ -73,6 +73,7 @@ struct panel {
 
     /* to read: bytes sent for this picture so far, commands included */
     uint32_t sent;
+    uint32_t sent_last; /* of the last picture that was complete */
 
     /* the panel's own */
     uint16_t across, down; /* the picture's size, turned */

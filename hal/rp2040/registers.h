@@ -49,11 +49,22 @@
 #define PAD_FAST      0x01u
 enum pin_function { PIN_SPI = 1, PIN_UART = 2, PIN_PWM = 4, PIN_SIO = 5 };
 
-/* 2.3.1 single-cycle IO */
+/* 2.3.1 single-cycle IO; its first word is the number of the core that reads it */
+#define SIO_CPUID        0xD0000000u
 #define SIO_GPIO_IN      0xD0000004u
 #define SIO_GPIO_OUT_SET 0xD0000014u
 #define SIO_GPIO_OUT_CLR 0xD0000018u
 #define SIO_GPIO_OE_SET  0xD0000024u
+#define SIO_FIFO_ST      0xD0000050u /* the words that core 0 and 1 send each other, eight deep either way */
+#define SIO_FIFO_WRITE   0xD0000054u
+#define SIO_FIFO_READ    0xD0000058u
+#define FIFO_VALID       (1u << 0)
+#define FIFO_READY       (1u << 1)
+#define SIO_SPINLOCK(n)  (0xD0000100u + 4u * (unsigned)(n)) /* read: not 0 for who gets it; write: free */
+
+/* 2.13 power-on state machine */
+#define PSM_FORCE_OFF 0x40010004u
+#define PSM_PROC1     (1u << 16)
 
 /* 2.5 DMA, channel 0 */
 #define DMA_READ         0x50000000u

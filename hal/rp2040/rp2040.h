@@ -7,6 +7,7 @@
 #define HAL_RP2040_H
 
 #include "bus.h"
+#include "core.h"
 
 #include <stdint.h>
 
@@ -35,6 +36,9 @@ void rp2040_start(void);
 
 /* Makes the bus ready: lines idle, backlight off. */
 struct hal_bus *rp2040_bus(void);
+
+/* The second core, on a stack of its own (link_core1_stack_top). Waits there are awake: interrupts are the first's. */
+extern const struct hal_core rp2040_core1;
 
 /* Parts, called by rp2040_start(). */
 void rp2040_clocks_start(void);

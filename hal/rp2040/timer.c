@@ -39,7 +39,7 @@ void clock_wait_us(uint32_t us)
 {
     uint32_t begin = clock_us(), gone;
     while ((gone = clock_us() - begin) < us)
-        if (us - gone > SLEEP_MIN)
+        if (us - gone > SLEEP_MIN && REG(SIO_CPUID) == 0) /* the alarm wakes core 0 */
             timer_sleep(us - gone);
 }
 

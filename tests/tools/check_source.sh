@@ -42,7 +42,7 @@ includes=$(grep -rnoE '^ *# *include *"[^"]+"' firmware hal --include='*.[ch]' |
 verdict "includes point one way" "$includes"
 
 hosted=$(grep -rnE '^ *# *include *<' firmware --include='*.[ch]' |
-    grep -vE '<(stdint|stddef|stdbool|limits|stdalign|stdnoreturn)\.h>')
+    grep -vE '<(stdint|stddef|stdbool|limits|stdalign|stdatomic|stdnoreturn)\.h>')
 verdict "the renderer includes freestanding headers only" "$hosted"
 
 floats=$(find firmware hal -name '*.[ch]' | while read -r file; do

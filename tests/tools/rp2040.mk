@@ -7,8 +7,8 @@ rp2040_run = tests/tools/rp2040js.sh $(RP2040JS) && export BOARD=$(BOARD) && nod
 	$(SERVE)$(DISPLAY)$(WAYLAND_DISPLAY),serve.mjs $(RP2040JS) $(BOARD_IMAGE) $(PORT),show.mjs $(RP2040JS) $(BOARD_IMAGE) \
 	$(BUILD)/$(BOARD)/screen $(SECONDS) $(KEYS) && echo "$(BUILD)/$(BOARD)/screen.png: what it shows after $(SECONDS) s (live in a browser: SERVE=1)")
 
-PANEL_SCENES := demo torus288 torus800 sphere690 bench-torus4000
-PANEL_C := tests/device/rp2040/panel.c tests/device/program.c $(SCENE_DIR)/panel_list.c $(PANEL_SCENES:%=$(SCENE_DIR)/%.c)
+PANEL_SCENES := demo torus288 torus800 torus1000 teapot896 sphere690 bench-torus4000
+PANEL_C := tests/device/rp2040/panel.c firmware/app/share.c tests/device/program.c $(SCENE_DIR)/panel_list.c $(PANEL_SCENES:%=$(SCENE_DIR)/%.c)
 PANEL_ELF := $(BUILD)/picosystem/panel.elf
 RP2040JS := $(BUILD)/node
 

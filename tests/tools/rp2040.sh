@@ -8,9 +8,9 @@ image=$3
 out=$(dirname "$image")
 status=0
 
-# SCENE METHOD TABLES ROWS ROTATION MS, as tests/device/rp2040/panel.c takes them: pictures at 0 and at MS
+# SCENE METHOD TABLES ROWS ROTATION MS [CORES], as tests/device/rp2040/panel.c takes them: pictures at 0 and at MS
 same() {
-    local name=$1-$2-$3-$4-$5-$6 file=tests/scenes/$1.json figures good=1
+    local name=$1-$2-$3-$4-$5-$6${7:+-$7} file=tests/scenes/$1.json figures good=1
     [ -f "$file" ] || file=tests/golden/$1.json
     figures=$(node tests/device/rp2040/run.mjs "$modules" "$image" "$*" "$out/$name") || good=0
     desktop "$file" "$2" "$3" 0 "$out/$name-first" || good=0
@@ -84,7 +84,12 @@ for turn in 0 90 180 270; do
 done
 same demo phong 0 15 0 300
 same torus800 x 1 24 0 0
-same torus800 x 1 60 0 0
+same torus800 x 1 30 0 0 1
+same torus800 x 1 30 0 0 2
+same torus800 x 1 7 0 0 2
+same torus1000 x 1 30 0 0 1
+same torus1000 x 1 30 0 0 2
+same demo gouraud 0 24 90 300 2
 same torus800 x 1 7 0 0
 same torus800 x 0 24 0 0
 same torus800 gouraud 0 24 0 0

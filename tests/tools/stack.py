@@ -55,7 +55,8 @@ def read_helpers(images, frames, calls):
             break
     else:
         return
-    name, known = None, set(map(short, frames))
+    # Of a naked function the compiler says 0.
+    name, known = None, {short(n) for n in frames if frames[n] or ":" in n}
     for line in run.stdout.splitlines():
         if head := re.match(r"[0-9a-f]+ <([^>]+)>:", line):
             name = None if head.group(1) in known else head.group(1)

@@ -211,7 +211,8 @@ static inline int case_show(unsigned rows, unsigned padding)
     }
     if (!error)
         error = panel_display.frame_end(display);
-    return error;
+    /* The last band may be on its way still. */
+    return error ? error : set.panel.bus->ops->wait(set.panel.bus);
 }
 
 /* What an eye sees at x, y of the picture on the glass turned clockwise by the rotation. */

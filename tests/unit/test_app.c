@@ -75,6 +75,7 @@ static void begin(unsigned glass, unsigned rotation, uint32_t memory_bytes)
 static void show(void)
 {
     assert_int_equal(show_frame(&app), 0);
+    assert_int_equal(show_finish(&app), 0);
     case_no_faults();
 }
 
@@ -127,31 +128,31 @@ static void the_table_is_given_up_first(void **state)
     begin(GLASS_LARGE, 0, sizeof memory);
     app.control.scene = 1;
     show_ready(&app);
-    const struct glint_config whole = app.frame.config;
+    const struct glint_config whole = app.share.frame.config;
     assert_int_equal(whole.tables, 1);
     board.memory_bytes = (uint32_t)glint_memory_needed(&whole) - 4;
     show_ready(&app);
-    assert_int_equal(app.frame.config.tables, 0);
-    assert_int_equal(app.frame.config.max_triangles, whole.max_triangles);
+    assert_int_equal(app.share.frame.config.tables, 0);
+    assert_int_equal(app.share.frame.config.max_triangles, whole.max_triangles);
     show();
     assert_true(draw(0));
     assert_int_equal(case_wrong(0, 0), 0);
-    while (app.frame.config.max_clipped == whole.max_clipped) {
+    while (app.share.frame.config.max_clipped == whole.max_clipped) {
         board.memory_bytes -= 256;
         show_ready(&app);
     }
-    assert_int_equal(app.frame.config.max_clipped, 64);
-    assert_int_equal(app.frame.config.max_triangles, whole.max_triangles - (whole.max_clipped - 64));
+    assert_int_equal(app.share.frame.config.max_clipped, 64);
+    assert_int_equal(app.share.frame.config.max_triangles, whole.max_triangles - (whole.max_clipped - 64));
     show();
-    assert_int_equal(app.frame.stats.dropped, 0);
-    while (app.frame.config.max_triangles > 64) {
+    assert_int_equal(app.share.frame.stats.dropped, 0);
+    while (app.share.frame.config.max_triangles > 64) {
         board.memory_bytes -= 256;
         show_ready(&app);
         assert_null(app.problem);
     }
     show();
-    assert_int_equal(app.frame.stats.drawn[GLINT_X], app.frame.config.max_triangles);
-    assert_true(app.frame.stats.dropped > 0);
+    assert_int_equal(app.share.frame.stats.drawn[GLINT_X], app.share.frame.config.max_triangles);
+    assert_true(app.share.frame.stats.dropped > 0);
     board.memory_bytes = 4096;
     show_ready(&app);
     assert_string_equal(app.problem, "no room for its vertices");
@@ -217,7 +218,7 @@ static void figures_are_at_the_edges(void **state)
     show(); /* without what turns the display on */
     app.control.figures = 1;
     app.rate = 599;
-    app.draw_us = 12345;
+    app.share.draw_us = 12345;
     unsigned counts[2];
     uint32_t sent = app.sent;
     assert_true(sent > 240 * 240 * 2);
@@ -303,7 +304,7 @@ static void reports_say_all(void **state)
     app.control.yaw = 16384;
     app.control.pitch = 65535;
     app.control.moment_ms = 4294967295u;
-    app.draw_us = 987654321;
+    app.share.draw_us = 987654321;
     app.sent = 115211;
     app.control.budget = 12;
     struct text_line line = {.length = 0};
@@ -312,7 +313,7 @@ static void reports_say_all(void **state)
                         "frame demo x 4294967295 ms, 987654321 us, turn 90.000,359.995, budget 12, 115211 bytes");
     app.control.running = app.control.menu = 1;
     app.control.line = CONTROL_LINE_SCREEN;
-    app.frame.stats.dropped = 17;
+    app.share.frame.stats.dropped = 17;
     app.control.method = 18;
     line.length = 0;
     report_picture(&app, &line);
@@ -343,7 +344,8 @@ static void an_error_of_the_display_is_told(void **state)
     for (int i = 0; i < calls; i++) {
         show_repaint(&app);
         set.wires.fail_at = set.wires.calls + i;
-        assert_int_equal(show_frame(&app), HAL_E_IO);
+        int error = show_frame(&app);
+        assert_int_equal(error ? error : show_finish(&app), HAL_E_IO);
         set.wires.fail_at = -1;
         assert_int_equal(panel_display.close(&set.panel.display, 0), 0);
         assert_int_equal(case_open(), 0);

@@ -5,6 +5,7 @@
 import fs from 'node:fs';
 import {createRequire} from 'node:module';
 import path from 'node:path';
+import {SecondCore} from './second.mjs';
 import {St7789} from './st7789.mjs';
 
 const FLASH = 0x10000000, BOOT2_AT = 0x20041f00;
@@ -57,7 +58,8 @@ export class Board {
         this.onLine = () => {};
         this.lines = []; // of UART0: text, and the cycles at their first and last byte
         const note = (name, text) => this.fault(`${name}: ${text}`);
-        this.mcu.logger = {debug() {}, info() {}, warn: note, error: note};
+        this.mcu.logger = {debug() {}, info: (name, text) => text === 'SEV' && this.second.event(), warn: note, error: note};
+        this.second = new SecondCore(this.mcu);
         for (const pin of Object.values(wires.buttons)) this.mcu.gpio[pin].setInputValue(true);
         if ('reset' in this.pins) this.mcu.gpio[this.pins.reset].addListener((level) => panel.reset(level === 1, this.clock.nanos));
         this.wireSpi();
@@ -139,7 +141,7 @@ export class Board {
         const {mcu} = this;
         mcu.flash.set(flash, 0);
         this.slept = 0;
-        this.counts = new Float64Array(flash.length / 2); // cycles by half-word of flash, while `counting`
+        this.counts = new Float64Array(flash.length / 2); // cycles of both cores by half-word of flash, while `counting`
         // What rp2040js leaves to its user: the HardFault of an undefined instruction, and the watchdog's reset.
         mcu.onBreak = () => {
             mcu.core.PC -= mcu.core.breakRewind;
@@ -160,6 +162,7 @@ export class Board {
         core.SP = BOOT2_AT;
         core.LR = 0;
         core.PC = BOOT2_AT;
+        this.second.reset();
     }
 
     // Of the system clock since boot, sleep included.
@@ -169,17 +172,20 @@ export class Board {
 
     // Until the program ends (its code), or so many seconds of its time have gone (undefined).
     run(seconds, until = () => false) {
-        const {mcu, clock} = this, {core} = mcu, limit = clock.nanos + seconds * 1e9;
+        const {mcu, clock, second} = this, {core} = mcu, limit = clock.nanos + seconds * 1e9;
         while (clock.nanos < limit) {
             for (let i = 0; i < 1000; i++) {
+                const count = this.counting ? this.counts : undefined;
                 if (core.waiting) {
-                    const nanos = Math.max(clock.nanosToNextAlarm, 1e9 / mcu.clkSys);
+                    const ahead = Math.max(clock.nanosToNextAlarm, 1e9 / mcu.clkSys);
+                    const nanos = second.asleep ? ahead : Math.min(second.step(count) * 1e9 / mcu.clkSys, ahead);
                     clock.tick(nanos);
                     this.slept += nanos * mcu.clkSys / 1e9;
                 } else {
                     const at = core.PC - FLASH >>> 1, cycles = core.executeInstruction();
-                    if (this.counting) this.counts[at] += cycles;
+                    if (count) count[at] += cycles;
                     clock.tick(cycles * 1e9 / mcu.clkSys);
+                    second.run(cycles, count);
                 }
             }
             const ended = /^exit (\d)$/.exec(this.lines.at(-1)?.text ?? '');

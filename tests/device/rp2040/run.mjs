@@ -8,6 +8,7 @@ import fs from 'node:fs';
 import {flashFromUf2, openBoard} from './board.mjs';
 import {png} from './png.mjs';
 
+const IN_A_ROW = 8; // as panel.c has it
 const SECONDS = 5, HELD = {up: 1, right: 8, Y: 128}; // bits of hal/input.h
 const [modules, image, command, picture, symbols] = process.argv.slice(2);
 if (!picture) {
@@ -61,9 +62,11 @@ try {
     if (!board.lines.some((line) => line.text === heldLine)) faults.push(`no line "${heldLine}"`);
     if (board.backlight !== 1) faults.push(`backlight at ${board.backlight}`);
     faults.forEach((text) => console.error(`${image}: ${text}`));
+    const [row] = passages(board.lines, 'row', 'rowed');
     const draw = passages(board.lines, 'draw', 'drawn'), show = passages(board.lines, 'show', 'shown');
-    console.log(`${command}: cycles ${draw[1]} drawn, ${show[0]} sent whole, ${show[1]} sent by changes;`,
+    console.log(`${command}: cycles ${draw[1]} drawn, ${show[2]} sent whole, ${show[3]} sent by changes;`,
         `bytes ${bytes[2] - bytes[1]}, ${bytes[4] - bytes[3]}; SPI ${board.spiHz / 1e6} MHz, CPU ${board.mcu.clkSys / 1e6} MHz`);
+    if (row) console.log(`${command}: cycles ${Math.round(row / IN_A_ROW)} a picture sent whole, of ${IN_A_ROW} in a row`);
     if (symbols) profile(board.counts);
     process.exit(faults.length ? 1 : 0);
 } catch (error) {
