@@ -5,6 +5,7 @@
 
 #include "core.h"
 #include "display.h"
+#include "stream/pack.h"
 
 struct board {
     const char *name;
@@ -13,6 +14,7 @@ struct board {
     uint16_t band_rows;
     uint8_t format; /* enum hal_pixel_format: RGB565 or GREY4 */
     uint8_t dither; /* 1: ordered dither */
+    const struct pack_format *pack; /* of that format, for the stream */
     void *band[4];  /* band_rows rows of the format each, aligned to 4: two, or four where there is a second CPU */
     void *memory;   /* the renderer's, aligned to 4 */
     uint32_t memory_bytes;

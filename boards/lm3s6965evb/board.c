@@ -26,6 +26,7 @@ const struct board *board_start(void)
                                        .height = BOARD_HEIGHT,
                                        .band_rows = BOARD_BAND_ROWS,
                                        .format = HAL_GREY4,
+                                       .pack = &pack_grey4,
                                        .dither = 1,
                                        .band = {board_band[0], board_band[1]},
                                        .memory = board_memory,

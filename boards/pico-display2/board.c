@@ -5,8 +5,9 @@
 
 #define WIDTH     320u
 #define HEIGHT    240u
-#define BAND_ROWS 40u            /* a band takes 25,600 bytes, its depth as many */
+#define BAND_ROWS 24u            /* a band takes 15,360 bytes, its depth as many */
 #define MEMORY    (160u * 1024u) /* bytes: 4000 triangles with a table */
+#define WORKER    (18u * 1024u)  /* bytes: a band's depth and the working state */
 
 /* A opens the menu, in which X goes from line to line, B and Y change one. */
 static const struct rp2040_button buttons[] = {{12, HAL_A}, {13, HAL_LEFT}, {14, HAL_DOWN}, {15, HAL_RIGHT}};
@@ -17,7 +18,7 @@ static const uint8_t extra[] = {
     0x14, 0x29, 0x2D, 0xE1, 14, 0xD0, 0x08, 0x10, 0x08, 0x06, 0x06, 0x39, 0x44, 0x51, 0x0B, 0x16, 0x14, 0x2F, 0x31,
 };
 
-static uint32_t band[2][WIDTH * BAND_ROWS / 2], memory[MEMORY / 4], sums[HEIGHT];
+static uint32_t band[4][WIDTH * BAND_ROWS / 2], memory[MEMORY / 4], worker[WORKER / 4], sums[HEIGHT];
 
 const struct rp2040_board rp2040_board = {
     .uart_tx = 0,
@@ -54,7 +55,11 @@ const struct board rp2040_app = {
     .height = HEIGHT,
     .band_rows = BAND_ROWS,
     .format = HAL_RGB565,
-    .band = {band[0], band[1]},
+    .pack = &pack_rgb565,
+    .band = {band[0], band[1], band[2], band[3]},
     .memory = memory,
     .memory_bytes = sizeof memory,
+    .core = &rp2040_core1,
+    .worker = worker,
+    .worker_bytes = sizeof worker,
 };

@@ -4,8 +4,9 @@
 #include "boards/rp2040.h"
 
 #define SIZE      240u
-#define BAND_ROWS 60u            /* a band takes 28,800 bytes, its depth as many */
+#define BAND_ROWS 30u            /* a band takes 14,400 bytes, its depth as many */
 #define MEMORY    (160u * 1024u) /* bytes: 4000 triangles with a table */
+#define WORKER    (17u * 1024u)  /* bytes: a band's depth and the working state */
 
 /* The joystick's press and key A do the same. */
 static const struct rp2040_button buttons[] = {
@@ -13,7 +14,7 @@ static const struct rp2040_button buttons[] = {
     {15, HAL_A}, {17, HAL_B},    {19, HAL_X},    {21, HAL_Y},
 };
 
-static uint32_t band[2][SIZE * BAND_ROWS / 2], memory[MEMORY / 4], sums[SIZE];
+static uint32_t band[4][SIZE * BAND_ROWS / 2], memory[MEMORY / 4], worker[WORKER / 4], sums[SIZE];
 
 const struct rp2040_board rp2040_board = {
     .uart_tx = 0,
@@ -49,7 +50,11 @@ const struct board rp2040_app = {
     .height = SIZE,
     .band_rows = BAND_ROWS,
     .format = HAL_RGB565,
-    .band = {band[0], band[1]},
+    .pack = &pack_rgb565,
+    .band = {band[0], band[1], band[2], band[3]},
     .memory = memory,
     .memory_bytes = sizeof memory,
+    .core = &rp2040_core1,
+    .worker = worker,
+    .worker_bytes = sizeof worker,
 };

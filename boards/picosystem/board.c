@@ -3,8 +3,8 @@
 #include "boards/rp2040.h"
 
 #define SIZE      240u
-#define BAND_ROWS 30u            /* a band takes 11,520 bytes, its depth as many */
-#define MEMORY    (140u * 1024u) /* bytes: 4000 triangles with a table */
+#define BAND_ROWS 30u            /* a band takes 14,400 bytes, its depth as many */
+#define MEMORY    (160u * 1024u) /* bytes: 4000 triangles with a table */
 #define WORKER    (17u * 1024u)  /* bytes: a band's depth and the working state */
 
 static const struct rp2040_button buttons[] = {
@@ -48,6 +48,7 @@ const struct board rp2040_app = {
     .height = SIZE,
     .band_rows = BAND_ROWS,
     .format = HAL_RGB565,
+    .pack = &pack_rgb565,
     .band = {band[0], band[1], band[2], band[3]},
     .memory = memory,
     .memory_bytes = sizeof memory,

@@ -75,7 +75,7 @@ void remote_begin(struct app *app)
     app->remote.asked = 0;
     if (!app->remote.sending)
         return;
-    s->pixels = board->format == GLINT_RGB565 ? &pack_rgb565 : &pack_grey4;
+    s->pixels = board->pack;
     s->width = board->width;
     s->height = board->height;
     s->buffer_bytes = ((uint32_t)board->width * s->pixels->bits + 7) / 8 * board->band_rows;

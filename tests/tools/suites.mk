@@ -120,9 +120,9 @@ size-table: $(SCENES:%=$(BUILD)/m3/$(SCENE_DIR)/%.o) $(BENCH_ELF)
 	@tests/tools/size.sh $(CPUS)
 
 stack_tool = python3 tests/tools/stack.py --cpu $(1) --indirect tests/tools/indirect.txt $(BUILD)/$(1)
-stack-table: $(BENCH_ELF) $(SIZE_BOARDS:%=$(BUILD)/%/app.elf)
+stack-table: $(BENCH_ELF) $(BOARDS:%=$(BUILD)/%/app.elf)
 	@status=0; for cpu in $(CPUS); do $(call stack_tool,$$cpu) --paths --limit 1024 || status=1; done; \
-	for board in $(SIZE_BOARDS); do python3 tests/tools/stack_image.py $(BUILD)/$$board/app.elf --name $$board --paths \
+	for board in $(BOARDS); do python3 tests/tools/stack_image.py $(BUILD)/$$board/app.elf --name $$board --paths \
 		--indirect tests/tools/indirect.txt || status=1; done; exit $$status
 
 golden-update: $(BUILD)/golden

@@ -63,6 +63,7 @@ static int begin(void **state)
                            .height = HEIGHT,
                            .band_rows = BAND_ROWS,
                            .format = HAL_RGB565,
+                           .pack = &pack_rgb565,
                            .dither = 1,
                            .band = {bands[0], bands[1]},
                            .memory = memory,
@@ -159,6 +160,7 @@ static void the_picture_sent_is_the_renderers(void **state)
         uint8_t *picture = frame_case_picture(f, blob, 700, NULL);
         begin(NULL);
         board.format = (uint8_t)formats[i];
+        board.pack = formats[i] == GLINT_RGB565 ? &pack_rgb565 : &pack_grey4;
         show_ready(&app);
         ask(STREAM_KEY_PLEASE, 0);
         assert_int_equal(show_frame(&app), 0);
