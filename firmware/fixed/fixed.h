@@ -37,13 +37,6 @@
  * size, and kept out of what calls it. */
 #define FX_COLD __attribute__((cold, noinline))
 
-/* Marks a function of high products that is not to be copied into each place where an ARMv6-M would make it long. */
-#if FX_NARROW
-#define FX_NARROW_APART __attribute__((noinline))
-#else
-#define FX_NARROW_APART inline
-#endif
-
 typedef int16_t q14_t;   /* unit vectors, +-2 */
 typedef int32_t q16_t;   /* lengths, linear intensities, +-32768 */
 typedef int32_t q22_t;   /* display units (256 = full intensity), +-512; the same bits are q30_t of full intensity */
@@ -79,6 +72,11 @@ static inline int32_t fx_mulhi_s32_narrow(int32_t a, int32_t b)
 }
 
 /* floor(a * b / 2^32), all arguments. */
+#if FX_NARROW && defined(__thumb__)
+uint32_t fx_mulhi_u32(uint32_t a,
+                      uint32_t b); /* calls: inline, they would drive everything else from eight registers */
+int32_t fx_mulhi_s32(int32_t a, int32_t b);
+#else
 static inline uint32_t fx_mulhi_u32(uint32_t a, uint32_t b)
 {
 #if FX_NARROW
@@ -87,9 +85,6 @@ static inline uint32_t fx_mulhi_u32(uint32_t a, uint32_t b)
     return (uint32_t)((uint64_t)a * b >> 32);
 #endif
 }
-#if FX_NARROW && defined(__thumb__)
-int32_t fx_mulhi_s32(int32_t a, int32_t b); /* a call: inline, it would drive everything else from eight registers */
-#else
 static inline int32_t fx_mulhi_s32(int32_t a, int32_t b)
 {
 #if FX_NARROW

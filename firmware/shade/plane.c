@@ -154,8 +154,8 @@ struct curve {
     int32_t a, b, c;
 };
 
-/* a p + b q - c r, of the high words. Apart, as an ARMv6-M's high products are long. */
-FX_NARROW_APART static int32_t form(const int32_t abc[3], int32_t p, int32_t q, int32_t r)
+/* a p + b q - c r, of the high words.. */
+static inline int32_t form(const int32_t abc[3], int32_t p, int32_t q, int32_t r)
 {
     return fx_mulhi_s32(abc[0], p) + fx_mulhi_s32(abc[1], q) - fx_mulhi_s32(abc[2], r);
 }
@@ -176,7 +176,7 @@ static inline int curve_shift(const struct plane *p)
     return 2 * (p->up - p->scale) - 22;
 }
 
-FX_NARROW_APART FX_WRAPS static int32_t second_difference(const struct plane *p, int32_t curve, int up)
+FX_WRAPS static inline int32_t second_difference(const struct plane *p, int32_t curve, int up)
 {
     return (int32_t)shifted(fx_mulhi_s32(curve, p->r2), curve_shift(p) + up);
 }

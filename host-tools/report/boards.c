@@ -22,8 +22,12 @@ static const char *const boards_program[][2] = {
     {"renderer", "renderer\u2019s"}, {"stack", "stack"},     {"stack_used", "of it used"},
 };
 static const char *const boards_picture[][2] = {
-    {"drawn", "drawn"}, {"whole", "and sent whole"},           {"changes", "and its changes sent"},
-    {"bytes", "bytes"}, {"bytes_changes", "bytes of changes"},
+    {"drawn", "drawn"},
+    {"whole", "and sent whole"},
+    {"row", "one of many in a row"},
+    {"changes", "and its changes sent"},
+    {"bytes", "bytes"},
+    {"bytes_changes", "bytes of changes"},
 };
 static const struct boards_kind boards_kinds[] = {
     {"", boards_program, COUNT(boards_program)},
@@ -116,8 +120,9 @@ int boards_write(FILE *out, const char *path)
     fprintf(
         out,
         "<h2 id=\"boards\">On boards</h2>\n"
-        "<p>The handhelds\u2019 program on emulated boards: a picture drawn by one core; drawn and sent to the panel "
-        "whole; and the one 50 ms later, of which only the rows that changed are sent. Instructions are counted by "
+        "<p>The handhelds\u2019 program on emulated boards: a picture drawn by one core, or two; drawn and sent to the "
+        "panel whole; one of many that follow each other; and the one 50 ms later, of which only the rows that changed "
+        "are sent. Instructions are counted by "
         "QEMU, where sending costs what the core does for it and no waiting; cycles by rp2040js, without waits for "
         "flash. Flash is the program\u2019s without its scenes.</p>\n");
     errno = 0;

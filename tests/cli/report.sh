@@ -32,7 +32,7 @@ boards() {
     for board in m n; do
         for figure in flash flash_x static bands renderer stack stack_used; do echo "$board,program,$figure,bytes,5${#figure}"; done
         for scene in a b; do
-            for figure in drawn whole changes; do echo "$board,$scene x,$figure,cycles,12${#figure}0000"; done
+            for figure in drawn whole row changes; do echo "$board,$scene x,$figure,cycles,12${#figure}0000"; done
             for figure in bytes bytes_changes; do echo "$board,$scene x,$figure,bytes,7"; done
         done
     done
@@ -140,9 +140,9 @@ bad 'a second power' powers.csv '3p' '^powers\.csv:4: a second line for this cpu
 bad 'a file without its head' costs.csv 1d '^costs\.csv:1: the columns are cpu,scene,method,'
 bad 'a column too many' flash.csv '2s/$/,1/' '^flash\.csv:2: the columns are cpu,method,bytes$'
 bad 'a file that is empty' costs.csv d '^costs\.csv: empty$'
-bad 'a figure too few' boards.csv '/n,b x,whole/d' '^boards\.csv:32: not the figure that comes next$'
-bad 'a row too short' boards.csv '/m,b x,bytes/d' '^boards\.csv:17: the row before has too few figures$'
-bad 'figures cut off' boards.csv '$d' '^boards\.csv:34: figures are missing at its end$'
+bad 'a figure too few' boards.csv '/n,b x,whole/d' '^boards\.csv:35: not the figure that comes next$'
+bad 'a row too short' boards.csv '/m,b x,bytes/d' '^boards\.csv:19: the row before has too few figures$'
+bad 'figures cut off' boards.csv '$d' '^boards\.csv:38: figures are missing at its end$'
 bad 'a name that a page cannot carry' boards.csv '2s/m/<m>/' '^boards\.csv:2: a name is '
 bad 'a figure that is no number' boards.csv '3s/,57/,x/' '^boards\.csv:3: the number is none$'
 bad 'columns too few' boards.csv '2s/,bytes//' '^boards\.csv:2: the columns are board,what,figure,unit,number$'

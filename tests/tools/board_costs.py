@@ -6,8 +6,9 @@
   board_costs.py table OUT.csv               the same as tables
 
 A line of the file is `board,what,figure,unit,number`: what is `program`, with PROGRAM's figures in bytes, then `SCENE
-METHOD` (and `table` where a colour table is used) with FIGURES: drawn, drawn and sent whole, and with what has changed 50 ms
-later (instructions on the LM3S6965, cycles on the RP2040), and the bytes of both.
+METHOD` (and `table` where a colour table is used, `two` where two cores share it) with FIGURES: drawn, drawn and sent whole, one of
+many in a row sent whole, and with what has changed 50 ms later (instructions on the LM3S6965, cycles on the RP2040), and the bytes of
+the second and the last.
 """
 import csv
 import os
@@ -21,7 +22,7 @@ from pico import Pico
 
 # How many of its unit go by in a microsecond, and the unit. Under -icount shift=0 an instruction takes a nanosecond.
 BOARDS = {"lm3s6965evb": (1000, "instructions"), "picosystem": (125, "cycles")}
-FIGURES = "drawn", "whole", "changes", "bytes", "bytes_changes"
+FIGURES = "drawn", "whole", "row", "changes", "bytes", "bytes_changes"
 PROGRAM = "flash", "flash_x", "static", "bands", "renderer", "stack", "stack_used"
 
 
@@ -56,8 +57,8 @@ def measure(build, modules, board):
     for line in lines:
         kind, *words = line.split() or [""]
         if kind == "cost":
-            scene, method, table, *numbers = words
-            what = f"{scene} {method}" + (" table" if table == "1" else "")
+            scene, method, table, cores, *numbers = words
+            what = f"{scene} {method}" + (" table" if table == "1" else "") + (" two" if cores == "2" else "")
             for figure, number in zip(FIGURES, map(int, numbers)):
                 per_us, unit = (1, "bytes") if figure.startswith("bytes") else BOARDS[board]
                 yield what, figure, unit, number * per_us
@@ -103,7 +104,8 @@ def run(build, modules, path):
         out.writerow(["board", "what", "figure", "unit", "number"])
         for board in BOARDS:
             rows = [*sizes(build, board), *measure(build, modules, board)]
-            rows.sort(key=lambda row: row[0] != "program")
+            first = {what.removesuffix(" two"): i for i, (what, *_) in reversed([*enumerate(rows)])}
+            rows.sort(key=lambda row: (row[0] != "program", first[row[0].removesuffix(" two")]))
             out.writerows([board, *row] for row in rows)
     os.replace(path + ".part", path)
 
@@ -113,15 +115,15 @@ def table(path):
     with open(path, encoding="ascii") as file:
         for row in csv.DictReader(file):
             rows.setdefault((row["board"], row["what"]), {})[row["figure"]] = int(row["number"])
-    names = {"gouraud": "Gouraud", "x": "X", "phong": "Phong", "table": "with a colour table"}
+    names = {"gouraud": "Gouraud", "x": "X", "phong": "Phong", "table": "with a colour table", "two": "by two cores"}
     for board, (_, unit) in BOARDS.items():
         print(f"\n`{board}`, million {unit} a picture:\n")
-        print("| scene | method | drawn | drawn and sent whole | and 50 ms later its changes | bytes | of changes |\n|---|---|---|---|---|---|---|")
+        print("| scene | method | drawn | drawn and sent whole | in a row | 50 ms later its changes | bytes | of changes |\n|---|---|---|---|---|---|---|---|")
         for (at, what), figure in rows.items():
             if at == board and what != "program":
                 scene, *method = what.split()
                 print(f"| {scene} | {' '.join(names[word] for word in method)} |", " | ".join(
-                    f"{figure[name] / 1e6:.2f}" for name in FIGURES[:3]), f"| {figure['bytes']} | {figure['bytes_changes']} |")
+                    f"{figure[name] / 1e6:.2f}" for name in FIGURES[:4]), f"| {figure['bytes']} | {figure['bytes_changes']} |")
     print("\nBytes of `firmware/app`:\n")
     print("| board | flash without scenes: all methods | X alone | static RAM | bands in it | the renderer's memory in it | stack | of it used |")
     print("|---|---|---|---|---|---|---|---|")

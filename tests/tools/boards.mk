@@ -52,7 +52,7 @@ define cost_rules
 $(SCENE_DIR)/$(1)_cost_list.c: tests/tools/scene_list.sh tests/tools/boards.mk
 	@mkdir -p $$(@D)
 	$$(Q)tests/tools/scene_list.sh $$(COST_$(1)) >$$@
-$(call board_program,$(1),cost,tests/device/cost.c tests/device/program.c $(SCENE_DIR)/$(1)_cost_list.c $(COST_$(1):%=$(SCENE_DIR)/%.c))
+$(call board_program,$(1),cost,tests/device/cost.c firmware/app/share.c tests/device/program.c $(SCENE_DIR)/$(1)_cost_list.c $(COST_$(1):%=$(SCENE_DIR)/%.c))
 endef
 $(foreach b,$(COST_BOARDS),$(eval $(call cost_rules,$(b))))
 
