@@ -10,7 +10,7 @@ status=0
 
 # SCENE METHOD TABLES ROWS ROTATION MS [CORES], as tests/device/rp2040/panel.c takes them: pictures at 0 and at MS
 same() {
-    local name=$1-$2-$3-$4-$5-$6${7:+-$7} file=tests/scenes/$1.json figures good=1
+    local name=$1-$2-$3-$4-$5-$6${7:+-$7} file=tests/scenes/$1.json good=1
     [ -f "$file" ] || file=tests/golden/$1.json
     figures=$(node tests/device/rp2040/run.mjs "$modules" "$image" "$*" "$out/$name") || good=0
     desktop "$file" "$2" "$3" 0 "$out/$name-first" || good=0
@@ -21,6 +21,12 @@ same() {
         echo "FAIL rp2040: the pictures on the wires of $name are not the desktop's: $figures"
         status=1
     fi
+}
+
+# CYCLES: the last pictures of same() were drawn in that many at most.
+within() {
+    [[ $figures =~ cycles\ ([0-9]+)\ drawn ]] && [ "${BASH_REMATCH[1]}" -le "$1" ]
+    message=$figures verdict "drawn in $1 cycles" $?
 }
 
 desktop() { # scene file, method, tables, moment, the device's picture
@@ -86,9 +92,11 @@ same demo phong 0 15 0 300
 same torus800 x 1 24 0 0
 same torus800 x 1 30 0 0 1
 same torus800 x 1 30 0 0 2
+within 2080000 # a sixtieth of a second at 125 MHz
 same torus800 x 1 7 0 0 2
 same torus1000 x 1 30 0 0 1
 same torus1000 x 1 30 0 0 2
+within 2330000
 same demo gouraud 0 24 90 300 2
 same torus800 x 1 7 0 0
 same torus800 x 0 24 0 0
