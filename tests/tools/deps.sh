@@ -6,11 +6,14 @@ set -u
 
 demo="gcc pkg-config libc6-dev libpng-dev libjansson-dev libassimp-dev zlib1g-dev"
 test="$demo libcmocka-dev clang clang-runtime clang-format clang-tidy cppcheck valgrind python3 gcc-arm-none-eabi qemu-system-arm
-      gnuplot-nox assimp-testmodels nodejs npm"
+      gnuplot-nox assimp-testmodels nodejs npm gcc-arm-linux-gnueabihf libc6-dev-armhf-cross device-tree-compiler cpio"
 
 # A tool that came by another way than apt serves as well; a library needs its package or its pkg-config file.
 have() {
     case $1 in
+    gcc-arm-linux-gnueabihf) command -v arm-linux-gnueabihf-gcc ;;
+    libc6-dev-armhf-cross) [ -e /usr/arm-linux-gnueabihf/include/stdio.h ] ;;
+    device-tree-compiler) command -v dtc ;;
     gcc-arm-none-eabi) command -v arm-none-eabi-gcc && command -v arm-none-eabi-nm ;;
     nodejs) command -v node ;;
     gnuplot-nox) command -v gnuplot ;;
