@@ -168,6 +168,7 @@ $(BUILD)/tests/%: tests/%.c $(HOST_LIB) $(CORE_LIB)
 
 include tests/tools/arm.mk
 include tests/tools/boards.mk
+include boards/linux/linux.mk
 include tests/tools/suites.mk
 include tests/tools/rp2040.mk
 
