@@ -31,31 +31,12 @@ struct app {
     const struct app_scene *scene;
     const struct glint_choice *method;
     uint32_t moment_ms;
-    uint8_t paused, figures, tolerance;
+    uint8_t paused, figures;
     const char *problem; /* why there is no picture, or null */
     struct glint_frame frame;
     uint32_t draw_us; /* the last picture, without the display */
     uint32_t rate;    /* pictures a second, times 10 */
 };
-
-/* How it begins and ends, where somebody can say so; all 0: as on a handheld. */
-struct app_start {
-    const char *scene, *method; /* by name; null: the first, and x */
-    uint32_t moment_ms;
-    uint32_t step_ms;     /* from one picture to the next; 0: the time that passed */
-    uint32_t pictures;    /* to show, then to end; 0: no end */
-    uint32_t period_us;   /* at the least from one picture to the next; 0: a 60th of a second */
-    uint8_t tolerance;    /* the budget, 1/255; 0: the renderer's */
-    uint8_t paused, bare; /* 1: the animation stands; no figures on the picture */
-};
-
-/* The names a start may have: 1 if it is linked in. */
-int app_has_scene(const char *name);
-int app_has_method(const char *name);
-
-/* Opens the board's display and shows pictures until a button is HAL_QUIT or start->pictures are shown; closes it. 0,
- * or 3 when the display failed and did not open anew. */
-int app_run(const struct board *board, const struct app_start *start);
 
 /* Checks app->scene and readies the renderer for it and app->method; sets app->problem. A scene that takes more memory
  * than the board has is drawn in part. */

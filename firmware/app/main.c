@@ -15,10 +15,8 @@ struct main_state {
     uint32_t last_us;   /* when the animation was last moved on */
     uint32_t part_us;   /* of a millisecond, not yet in its moment */
     uint32_t window_us; /* since when pictures are counted */
-    uint32_t pictures;  /* in it */
-    uint32_t shown;
-    uint32_t step_ms; /* of the animation, a picture; 0: what passed */
-    uint8_t chord;    /* another button came while A was held: its release means nothing */
+    uint32_t pictures;
+    uint8_t chord; /* another button came while A was held: its release means nothing */
 };
 
 static void main_change_scene(struct app *app, int forward)
@@ -80,10 +78,6 @@ static void main_advance(struct main_state *state, uint32_t now)
     state->last_us = now;
     if (state->app.paused)
         return;
-    if (state->step_ms) {
-        state->app.moment_ms += state->shown ? state->step_ms : 0;
-        return;
-    }
     state->part_us += elapsed;
     state->app.moment_ms += state->part_us / 1000;
     state->part_us %= 1000;
@@ -93,7 +87,6 @@ static void main_count(struct main_state *state)
 {
     uint32_t now = clock_us(), window = now - state->window_us;
     state->pictures++;
-    state->shown++;
     if (window < MAIN_RATE_US)
         return;
     /* under 2^32: fewer than 400 pictures in the window */
@@ -130,93 +123,51 @@ static void main_report(const struct app *app)
     machine_write("\n");
 }
 
-/* A write-only bus shows no fault; one that does is told and the display begun anew: 0, or the error of that. */
-static int main_show(struct app *app)
+/* A write-only bus shows no fault; one that does is told and the display begun anew. */
+static void main_show(struct app *app)
 {
     const struct board *board = app->board;
     struct hal_display *display = board->display;
     if (show_frame(app) == 0)
-        return 0;
+        return;
     machine_write("error display\n");
     display->ops->close(display, 0);
-    return display->ops->open(display, board->width, board->height, (enum hal_pixel_format)board->format);
+    display->ops->open(display, board->width, board->height, (enum hal_pixel_format)board->format);
 }
 
-static int main_same(const char *a, const char *b)
-{
-    while (*a && *a == *b)
-        a++, b++;
-    return *a == *b;
-}
-
-/* The list's end if there is none of that name. */
-static const struct app_scene *main_scene(const char *name)
-{
-    const struct app_scene *scene = app_scenes;
-    while (scene < app_scenes + app_scene_count && !main_same(scene->name, name))
-        scene++;
-    return scene;
-}
-
-static const struct glint_choice *main_method(const char *name)
+static const struct glint_choice *main_first_method(void)
 {
     const struct glint_choice *choice = glint_choices;
-    while (choice < glint_choices + glint_choice_count && !main_same(choice->name, name))
+    while (choice->method != &glint_x)
         choice++;
     return choice;
 }
 
-int app_has_scene(const char *name)
+int main(void)
 {
-    return main_scene(name) < app_scenes + app_scene_count;
-}
-
-int app_has_method(const char *name)
-{
-    return main_method(name) < glint_choices + glint_choice_count;
-}
-
-static int main_loop(struct main_state *state, const struct app_start *start)
-{
-    const uint32_t period = start->period_us ? start->period_us : MAIN_PERIOD_US;
-    state->last_us = state->window_us = clock_us();
-    for (int changed = 1; !(state->held & HAL_QUIT); changed = main_buttons(state)) {
-        uint32_t now = clock_us();
-        main_advance(state, now);
-        if (changed || !state->app.paused) {
-            if (main_show(&state->app) != 0)
-                return 3;
-            main_count(state);
-        }
-        if (changed)
-            main_report(&state->app);
-        if (start->pictures && state->shown >= start->pictures)
-            return 0;
-        while (clock_us() - now < period)
-            clock_idle();
-    }
-    return 0;
-}
-
-int app_run(const struct board *board, const struct app_start *start)
-{
-    struct main_state state = {.app = {.board = board, .scene = app_scenes}, .step_ms = start->step_ms};
+    struct main_state state = {.app = {.board = board_start(), .scene = app_scenes, .figures = 1}};
+    const struct board *board = state.app.board;
     struct hal_display *display = board->display;
     if (display->ops->open(display, board->width, board->height, (enum hal_pixel_format)board->format) != 0) {
         machine_write("error display\n");
         return 3;
     }
-    if (start->scene)
-        state.app.scene = main_scene(start->scene);
-    state.app.method = main_method(start->method ? start->method : "x");
-    state.app.moment_ms = start->moment_ms;
-    state.app.tolerance = start->tolerance;
-    state.app.paused = start->paused;
-    state.app.figures = !start->bare;
+    state.app.method = main_first_method();
     show_ready(&state.app);
     /* what is held at the start is no press, and its release means nothing */
     state.held = input_buttons();
     state.chord = 1;
-    /* a display that did not open anew is not open */
-    return main_loop(&state, start) == 0 && display->ops->close(display, 1) == 0 ? 0 : 3;
+    state.last_us = state.window_us = clock_us();
+    for (int changed = 1;; changed = main_buttons(&state)) {
+        uint32_t now = clock_us();
+        main_advance(&state, now);
+        if (changed || !state.app.paused) {
+            main_show(&state.app);
+            main_count(&state);
+        }
+        if (changed)
+            main_report(&state.app);
+        while (clock_us() - now < MAIN_PERIOD_US)
+            clock_idle();
+    }
 }

@@ -14,7 +14,6 @@ static struct glint_config show_config(const struct app *app)
                                  .format = board->format,
                                  .flags = board->dither ? GLINT_DITHER : 0,
                                  .method = app->method->method,
-                                 .subdivide_tolerance = app->tolerance,
                                  .band = {board->band[0], board->band[1]},
                                  .memory = board->memory,
                                  .memory_bytes = board->memory_bytes};
