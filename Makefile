@@ -122,11 +122,14 @@ deps-demo: ## Install what building the tool needs: `make deps-demo all` in a CI
 deps-demo deps-test:
 	$(Q)tests/tools/deps.sh $(@:deps-%=%)
 
-image: deps-test ## The handheld's program for BOARD=lm3s6965evb: build/<board>/app.elf
+image: deps-test ## The handheld's program for BOARD=picosystem, or another of boards/: build/<board>/app.elf
 	$(Q)$(MAKE) --no-print-directory board-image
 
-run: deps-test ## Run it on the emulated BOARD
+run: deps-test ## Run it on the emulated BOARD; an RP2040 in a browser (SERVE=1), or SECONDS=3 KEYS="A@500 up@900-1500"
 	$(Q)$(MAKE) --no-print-directory board-run
+
+flash: deps-test ## Put it on the real BOARD; DRY_RUN=1 only says how
+	$(Q)$(MAKE) --no-print-directory board-flash
 
 clean: ## Remove the build folder
 	$(Q)rm -rf $(BUILD)
@@ -171,8 +174,9 @@ include tests/tools/boards.mk
 include boards/linux/linux.mk
 include tests/tools/suites.mk
 include tests/tools/rp2040.mk
+include tests/tools/faults.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
 .PHONY: all tool demo test test-unit test-cli test-models test-core test-golden test-device test-rp2040 test-sanitize test-exhaustive \
-	bench bench-setup report figures profile size stack golden lint format check-format deps deps-demo deps-test image run clean help
+	bench bench-setup report figures profile size stack golden lint format check-format deps deps-demo deps-test image run flash clean help
