@@ -31,8 +31,8 @@ static void device_list(void)
     for (const struct settings_panel *panel = settings_panels; panel->name; panel++)
         printf("  %s\n", panel->name);
     printf("scenes:\n");
-    for (unsigned i = 0; i < app_scene_count; i++)
-        printf("  %s\n", app_scenes[i].name);
+    for (unsigned i = 0; i < program_scene_count; i++)
+        printf("  %s\n", program_scenes[i].name);
     printf("methods:\n");
     for (unsigned i = 0; i < glint_choice_count; i++)
         printf("  %s\n", glint_choices[i].name);
@@ -44,6 +44,14 @@ static void device_list(void)
             printf("  %s\n", found.gl_pathv[i]);
         globfree(&found);
     }
+}
+
+static const char *device_panel_name(const struct panel_controller *controller)
+{
+    const struct settings_panel *panel = settings_panels;
+    while (panel->controller != controller)
+        panel++;
+    return panel->name;
 }
 
 /* One block: the renderer's memory, the last picture, two bands. */
@@ -75,7 +83,8 @@ static int device_make(struct device *device)
                                    .refresh = settings->refresh,
                                    .memory = settings->whole ? NULL : memory + MEMORY,
                                    .memory_size = settings->whole ? 0 : (uint32_t)picture};
-    device->board = (struct board){.display = &device->panel.display,
+    device->board = (struct board){.name = device_panel_name(settings->controller),
+                                   .display = &device->panel.display,
                                    .width = width,
                                    .height = height,
                                    .band_rows = rows,

@@ -3,7 +3,7 @@
 # an Arm machine it is built for that machine, with its own libgpiod; elsewhere crosswise, for ARMv6 (the first Pi Zero,
 # and all since in 32 bits) or Debian's armhf, with libgpiod fetched into the build folder.
 LINUX_BOARDS := pi-zero-waveshare13 pi-zero-displayhatmini linux-virt
-LINUX_SCENES := demo torus288 torus800 sphere690 bulb pawn zigzag teapot896 bench-torus4000
+LINUX_SCENES := demo spin-torus800 spin-teapot spin-pawns torus1000 torus288 torus800 sphere690 bulb pawn zigzag teapot896 bench-torus4000
 LINUX_NATIVE := $(filter arm% aarch64,$(shell uname -m))
 LINUX_CROSS := arm-linux-gnueabihf-
 LINUX_DEBIAN := $(BUILD)/armhf/debian
@@ -26,9 +26,11 @@ LINUX_FLAGS := -std=c11 -D_GNU_SOURCE $(WARN) $(INCLUDE) $(OPT) -g -ffunction-se
 LINUX_GPIOD_FLAGS_native = $(call once,LINUX_GPIOD_CFLAGS,pkg-config --cflags libgpiod)
 LINUX_GPIOD_LIBS_native = $(call once,LINUX_GPIOD_LIBS,pkg-config --libs libgpiod)
 
+$(foreach s,$(filter-out $(SCENES) $(REPORT_SCENES) $(foreach b,$(BOARDS),$(SCENES_$(b))),$(LINUX_SCENES)),$(eval $(call scene_rule,$(s))))
+
 $(SCENE_DIR)/linux_list.c: tests/tools/scene_list.sh boards/linux/linux.mk
 	@mkdir -p $(@D)
-	$(Q)tests/tools/scene_list.sh --app $(LINUX_SCENES) >$@
+	$(Q)tests/tools/scene_list.sh $(LINUX_SCENES) >$@
 
 $(LINUX_DEBIAN)/complete:
 	$(Q)tests/device/linux/fetch.sh $(@D)

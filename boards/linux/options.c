@@ -125,31 +125,50 @@ static int options_wiring(struct settings *settings, enum option_id option, char
     }
 }
 
+static int options_scene(const char *name, uint16_t *index)
+{
+    for (unsigned i = 0; i < program_scene_count; i++)
+        if (strcmp(program_scenes[i].name, name) == 0) {
+            *index = (uint16_t)i;
+            return 1;
+        }
+    return 0;
+}
+
+static int options_method(const char *name, uint16_t *index)
+{
+    for (unsigned i = 0; i < glint_choice_count; i++)
+        if (strcmp(glint_choices[i].name, name) == 0) {
+            *index = (uint16_t)i;
+            return 1;
+        }
+    return 0;
+}
+
 /* What is shown. */
 static int options_show(struct settings *settings, enum option_id option, char *text)
 {
     struct app_start *start = &settings->start;
-    uint32_t rate;
+    struct control *control = &start->control;
+    uint32_t number;
     uint8_t on;
     switch (option) {
     case OPTION_SCENE:
-        start->scene = text;
-        return app_has_scene(text);
+        return options_scene(text, &control->scene);
     case OPTION_METHOD:
-        start->method = text;
-        return app_has_method(text);
+        return options_method(text, &control->method);
     case OPTION_BUDGET:
-        return options_number(text, 1, 255, &start->tolerance);
+        return options_number(text, 1, 255, &control->budget);
     case OPTION_FPS:
-        return values_number(text, 1, 1000, &rate) && (start->period_us = 1000000 / rate);
+        return values_number(text, 1, 1000, &number) && (start->period_us = 1000000 / number);
     case OPTION_FIGURES:
-        return values_switch(text, &on) && (start->bare = !on, 1);
+        return values_switch(text, &control->figures);
     case OPTION_STILL:
-        return values_switch(text, &start->paused);
+        return values_switch(text, &on) && (control->running = !on, 1);
     case OPTION_TIME:
-        return values_number(text, 0, UINT32_MAX, &start->moment_ms);
+        return values_number(text, 0, UINT32_MAX, &control->moment_ms);
     case OPTION_STEP:
-        return values_number(text, 1, 60000, &start->step_ms);
+        return values_number(text, 1, 60000, &number) && (start->step_us = 1000 * number);
     case OPTION_FRAMES:
         return values_number(text, 1, 1000000, &start->pictures);
     case OPTION_TEST_PATTERN:

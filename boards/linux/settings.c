@@ -143,6 +143,7 @@ int settings_read(struct settings *settings, int argc, char **argv)
     int count = 0, found, index, code = -1;
     const char *board = NULL;
     *settings = (struct settings){.refresh = 600, .wires.speed = 32000000};
+    app_usual(&settings->start);
     for (int i = 0; i < OPTIONS; i++)
         options[i] = (struct option){options_text[i].name,
                                      options_text[i].value ? required_argument : optional_argument, NULL, i + 1};
