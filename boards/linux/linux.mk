@@ -57,3 +57,21 @@ $(BUILD)/$(1)/%.o: %.S
 -include $$(shell find $(BUILD)/$(1) -name '*.d' 2>/dev/null)
 endef
 $(foreach f,native armhf armv6,$(eval $(call linux_flavour_rules,$(f)))$(foreach v,1 2,$(eval $(call linux_program,$(f),$(v)))))
+
+LINUX_KNOWN := $(filter $(BOARD),$(LINUX_BOARDS))
+LINUX_PROGRAM = $(BUILD)/$(call linux_flavour,$(BOARD))/glint-device-v$(GPIOD)
+PREFIX ?= /usr/local
+
+linux-known:
+	@[ -n "$(LINUX_KNOWN)" ] || { echo "give BOARD=, one of: $(LINUX_BOARDS)" >&2; exit 2; }
+
+linux-image: linux-known $(if $(LINUX_KNOWN),$(LINUX_PROGRAM))
+	@echo "$(LINUX_PROGRAM): try it with --board boards/$(BOARD)/board.conf"
+
+linux-install: linux-image
+	@boards/linux/install.sh $(LINUX_PROGRAM) boards/$(BOARD)/board.conf '$(PREFIX)' '$(DESTDIR)'
+
+linux-flash: linux-known
+	@echo "$(BOARD): runs Linux: 'make BOARD=$(BOARD) install' on it" >&2; exit 2
+
+.PHONY: linux-known linux-image linux-install linux-flash
