@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 # Sources are found by wildcard: a new file of the renderer, the tools or the tests needs no line here.
-.DEFAULT_GOAL := all
+# `make BOARD=...` alone builds what goes on the board; one with a board.conf runs Linux.
+.DEFAULT_GOAL := $(if $(BOARD),image,all)
+BOARD_SORT := $(if $(wildcard boards/$(BOARD)/board.conf),linux,board)
 MAKEFLAGS += --no-builtin-rules
 .SUFFIXES:
 .DELETE_ON_ERROR:
@@ -119,14 +121,21 @@ deps: deps-test ## Install what building and testing need (DEPS=manual only prin
 
 deps-demo: ## Install what building the tool needs: `make deps-demo all` in a CI job
 
-deps-demo deps-test:
+deps-demo deps-test deps-linux:
 	$(Q)tests/tools/deps.sh $(@:deps-%=%)
 
-image: deps-test ## The handheld's program for BOARD=lm3s6965evb: build/<board>/app.elf
-	$(Q)$(MAKE) --no-print-directory board-image
+BOARD_DEPS := $(BOARD_SORT:board=test)
+image: deps-$(BOARD_DEPS) ## The handheld's program for BOARD=picosystem, or another of boards/: build/<board>/app.elf
+	$(Q)$(MAKE) --no-print-directory $(BOARD_SORT)-image
 
-run: deps-test ## Run it on the emulated BOARD
-	$(Q)$(MAKE) --no-print-directory board-run
+run: deps-test ## Run it on the emulated BOARD; an RP2040 in a browser (SERVE=1), or SECONDS=3 KEYS="A@500 up@900-1500"
+	$(Q)$(MAKE) --no-print-directory $(BOARD_SORT)-run
+
+flash: deps-$(BOARD_DEPS) ## Put it on the real BOARD; DRY_RUN=1 only says how
+	$(Q)$(MAKE) --no-print-directory $(BOARD_SORT)-flash
+
+install: deps-linux ## Install it on this Linux BOARD as a service, or below DESTDIR; PREFIX=/usr/local
+	$(Q)$(MAKE) --no-print-directory linux-install
 
 clean: ## Remove the build folder
 	$(Q)rm -rf $(BUILD)
@@ -168,10 +177,12 @@ $(BUILD)/tests/%: tests/%.c $(HOST_LIB) $(CORE_LIB)
 
 include tests/tools/arm.mk
 include tests/tools/boards.mk
+include boards/linux/linux.mk
 include tests/tools/suites.mk
 include tests/tools/rp2040.mk
+include tests/tools/faults.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
 .PHONY: all tool demo test test-unit test-cli test-models test-core test-golden test-device test-rp2040 test-sanitize test-exhaustive \
-	bench bench-setup report figures profile size stack golden lint format check-format deps deps-demo deps-test image run clean help
+	bench bench-setup report figures profile size stack golden lint format check-format deps deps-demo deps-test deps-linux image run flash install clean help

@@ -6,6 +6,7 @@
 #include "display.h"
 
 struct board {
+    const char *name;
     struct hal_display *display; /* not yet open */
     uint16_t width, height;      /* of the picture, in pixels */
     uint16_t band_rows;

@@ -4,13 +4,16 @@
 
 #include "raster/raster.h"
 
+/* turn: the user's, or null. */
 static void add_object(struct glint_frame *f, const struct view *view, const struct scene_object *source,
-                       uint32_t time_ms)
+                       const struct rotation *turn, uint32_t time_ms)
 {
     const struct scene_mesh *mesh = scene_meshes(f->scene) + source->mesh;
     struct transform *transform = &f->raster->begin.transform;
     struct matrix to_eye;
     struct pose pose = pose_at(f->scene, source, time_ms);
+    if (turn)
+        pose.rotation = rotation_product(turn, &pose.rotation);
     f->stats.triangles += mesh->triangle_count;
     if (!transform_setup(transform, view, mesh, &pose, &to_eye)) {
         f->stats.rejected += mesh->triangle_count;
@@ -32,6 +35,12 @@ static void add_object(struct glint_frame *f, const struct view *view, const str
     list_object(f, transform, f->object_count, all_placed);
     f->vertex_count = (uint16_t)(f->vertex_count + mesh->vertex_count);
     f->object_count++;
+}
+
+void glint_turn(struct glint_frame *f, uint16_t yaw, uint16_t pitch)
+{
+    f->yaw = yaw;
+    f->pitch = pitch;
 }
 
 int glint_frame_begin(struct glint_frame *f, const void *scene, uint32_t time_ms)
@@ -60,9 +69,13 @@ int glint_frame_begin(struct glint_frame *f, const void *scene, uint32_t time_ms
     view_setup(view, header, f->config.width, f->config.height);
     if (header->duration_ms)
         time_ms %= header->duration_ms;
+    const int turned = (f->yaw | f->pitch) != 0;
+    struct rotation turn = {{0}};
+    if (turned)
+        turn = rotation_turn(&view->matrix, f->yaw, f->pitch);
     const struct scene_object *object = scene_objects(header);
     for (unsigned i = 0; i < header->object_count; i++)
-        add_object(f, view, &object[i], time_ms);
+        add_object(f, view, &object[i], turned ? &turn : 0, time_ms);
     list_sort(f);
     return 0;
 }

@@ -153,6 +153,7 @@ struct glint_frame {
     struct glint_config config;
     struct glint_stats stats;
     const struct scene_header *scene;
+    uint16_t yaw, pitch; /* glint_turn() */
     uint16_t next_row;
     uint8_t band_index;
     uint8_t light_count;
@@ -187,6 +188,11 @@ size_t glint_memory_needed(const struct glint_config *config);
 
 /* Makes a renderer of a configuration, which is copied. */
 int glint_init(struct glint_frame *frame, const struct glint_config *config);
+
+/* Turns every object about its own origin, from the next frame on: its front to the right by `yaw`, then up by `pitch`,
+ * as seen by the eye, in 1/65536 turns, on top of its animation. Lights and camera stay. 0, 0 costs nothing and is what
+ * glint_init() sets. */
+void glint_turn(struct glint_frame *frame, uint16_t yaw, uint16_t pitch);
 
 /* Begins the frame at `time_ms` of a checked scene. The scene must stay where it is until the last band. */
 int glint_frame_begin(struct glint_frame *frame, const void *scene, uint32_t time_ms);

@@ -20,7 +20,8 @@ static struct panel board_oled = {.display.ops = &panel_display,
 
 const struct board *board_start(void)
 {
-    static const struct board board = {.display = &board_oled.display,
+    static const struct board board = {.name = "lm3s6965evb",
+                                       .display = &board_oled.display,
                                        .width = BOARD_WIDTH,
                                        .height = BOARD_HEIGHT,
                                        .band_rows = BOARD_BAND_ROWS,

@@ -1,15 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 /* Pimoroni PicoSystem, https://shop.pimoroni.com/products/picosystem: RP2040, 16 MiB flash, ST7789 240x240. */
-#include "boards/board.h"
-#include "input.h"
-#include "panels/panel.h"
-#include "rp2040/rp2040.h"
+#include "boards/rp2040.h"
+
+#define SIZE      240u
+#define BAND_ROWS 60u            /* a band takes 28,800 bytes, its depth as many */
+#define MEMORY    (160u * 1024u) /* bytes: 4000 triangles with a table */
 
 static const struct rp2040_button buttons[] = {
     {23, HAL_UP}, {20, HAL_DOWN}, {22, HAL_LEFT}, {21, HAL_RIGHT}, {18, HAL_A}, {19, HAL_B}, {17, HAL_X}, {16, HAL_Y},
 };
 
 static const uint8_t extra[] = {0xBB, 1, 0x25}; /* VCOMS of this glass */
+
+static uint32_t band[2][SIZE * BAND_ROWS / 2], memory[MEMORY / 4], sums[SIZE];
 
 const struct rp2040_board rp2040_board = {
     .uart_tx = 0,
@@ -27,30 +30,24 @@ const struct rp2040_board rp2040_board = {
     .button_count = sizeof buttons / sizeof buttons[0],
 };
 
-#define SIZE      240u
-#define BAND_ROWS 60u            /* a band takes 28,800 bytes, its depth as many */
-#define MEMORY    (160u * 1024u) /* bytes: 4000 triangles with a table */
+struct panel rp2040_panel = {
+    .display.ops = &panel_display,
+    .controller = &panel_st7789,
+    .extra = {extra, sizeof extra},
+    .width = SIZE,
+    .height = SIZE,
+    .memory = sums,
+    .memory_size = sizeof sums,
+};
 
-static uint32_t board_band[2][SIZE * BAND_ROWS / 2], board_memory[MEMORY / 4], board_sums[SIZE];
-static struct panel board_panel = {.display.ops = &panel_display,
-                                   .controller = &panel_st7789,
-                                   .extra = {extra, sizeof extra},
-                                   .width = SIZE,
-                                   .height = SIZE,
-                                   .memory = board_sums,
-                                   .memory_size = sizeof board_sums};
-
-const struct board *board_start(void)
-{
-    static const struct board board = {.display = &board_panel.display,
-                                       .width = SIZE,
-                                       .height = SIZE,
-                                       .band_rows = BAND_ROWS,
-                                       .format = HAL_RGB565,
-                                       .band = {board_band[0], board_band[1]},
-                                       .memory = board_memory,
-                                       .memory_bytes = sizeof board_memory};
-    rp2040_start();
-    board_panel.bus = rp2040_bus();
-    return &board;
-}
+const struct board rp2040_app = {
+    .name = "picosystem",
+    .display = &rp2040_panel.display,
+    .width = SIZE,
+    .height = SIZE,
+    .band_rows = BAND_ROWS,
+    .format = HAL_RGB565,
+    .band = {band[0], band[1]},
+    .memory = memory,
+    .memory_bytes = sizeof memory,
+};

@@ -44,18 +44,25 @@ static void text_put(uint8_t *row, unsigned format, unsigned x, int lit)
         row[x / 2] = (uint8_t)((row[x / 2] & 0x0f) | (lit ? 0xf0 : 0));
 }
 
-void text_draw(const struct glint_band *band, unsigned format, unsigned width, unsigned x, unsigned y, const char *text)
+/* One row of pixels of all letters: row `i` of their cells, or none of those, widened to 2^large pixels. */
+static void text_row(const struct text_canvas *canvas, uint8_t *row, unsigned x, const char *text, unsigned i)
 {
-    for (; *text && x + TEXT_WIDTH <= width; text++, x += TEXT_WIDTH) {
-        uint16_t glyph = text_glyph(*text);
-        for (unsigned i = 0; i < TEXT_HEIGHT; i++) {
-            if (y + i < band->y || y + i >= (unsigned)band->y + band->rows)
-                continue;
-            uint8_t *row = (uint8_t *)band->pixels + (y + i - band->y) * band->stride;
-            unsigned bits = i < 5 ? glyph >> 3 * (4 - i) & 7u : 0;
-            for (unsigned j = 0; j < TEXT_WIDTH; j++)
-                text_put(row, format, x + j, bits << 1 >> (3 - j) & 1);
-        }
+    const unsigned large = text_large(canvas->width), cell = text_width(canvas->width);
+    for (; *text && x + cell <= canvas->width; text++) {
+        unsigned bits = i < 5 ? text_glyph(*text) >> 3 * (4 - i) & 7u : 0;
+        for (unsigned j = 0; j < cell; j++, x++)
+            text_put(row, canvas->format, x, (int)(bits >> (3 - (j >> large)) & 1) ^ canvas->dark);
+    }
+}
+
+void text_draw(const struct text_canvas *canvas, unsigned x, unsigned y, const char *text)
+{
+    const struct glint_band *band = canvas->band;
+    const unsigned large = text_large(canvas->width), lead = canvas->dark, above = lead << large;
+    for (unsigned i = 0; i < band->rows; i++) {
+        unsigned down = band->y + i + above - y; /* huge above the text */
+        if (down < text_height(canvas->width) + above)
+            text_row(canvas, (uint8_t *)band->pixels + i * band->stride, x, text, (down >> large) - lead);
     }
 }
 
@@ -64,6 +71,12 @@ void text_add(struct text_line *line, const char *text)
     while (*text && line->length < sizeof line->text - 1)
         line->text[line->length++] = *text++;
     line->text[line->length] = 0;
+}
+
+void text_pad(struct text_line *line, unsigned length)
+{
+    while (line->length < length)
+        text_add(line, " ");
 }
 
 void text_add_number(struct text_line *line, uint32_t value)
@@ -75,4 +88,15 @@ void text_add_number(struct text_line *line, uint32_t value)
         digits[--at] = (char)('0' + value % 10);
     while ((value /= 10) != 0);
     text_add(line, digits + at);
+}
+
+void text_add_angle(struct text_line *line, uint16_t angle)
+{
+    uint32_t thousandths = (angle * 5625u + 512) >> 10; /* 360,000 / 65,536; below 2^29 */
+    text_add_number(line, thousandths / 1000);
+    /* a 1 before the three digits keeps their zeros, and becomes the point */
+    unsigned point = line->length;
+    text_add_number(line, 1000 + thousandths % 1000);
+    if (point < line->length)
+        line->text[point] = '.';
 }

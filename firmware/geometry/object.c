@@ -36,7 +36,7 @@ static void far_point(const struct matrix *to_eye, const q30_t v[3], struct obje
     q30_t turned[3];
     matrix_apply_transposed(to_eye, v, turned);
     for (int i = 0; i < 3; i++)
-        out->at[i] = (turned[i] + (1 << 15)) >> 16; /* |turned| <= 2^30 (1 + 2^-18) */
+        out->at[i] = (turned[i] + (1 << 15)) >> 16; /* |turned| <= 2^30 (1 + 2^-16) */
     out->near = 0;
 }
 

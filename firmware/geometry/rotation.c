@@ -11,7 +11,7 @@ struct rotation rotation_product(const struct rotation *a, const struct rotation
 {
     const q30_t *p = a->q, *q = b->q;
     struct rotation r;
-    /* |p|, |q| components <= 2^30 (1 + 2^-18): four products of at most 2^60.1 sum below 2^63. */
+    /* |p|, |q| components <= 2^30 (1 + 2^-17): four products of at most 2^60.1 sum below 2^63. */
     r.q[0] = round_q60((int64_t)p[0] * q[0] - (int64_t)p[1] * q[1] - (int64_t)p[2] * q[2] - (int64_t)p[3] * q[3]);
     r.q[1] = round_q60((int64_t)p[0] * q[1] + (int64_t)p[1] * q[0] + (int64_t)p[2] * q[3] - (int64_t)p[3] * q[2]);
     r.q[2] = round_q60((int64_t)p[0] * q[2] - (int64_t)p[1] * q[3] + (int64_t)p[2] * q[0] + (int64_t)p[3] * q[1]);
@@ -119,6 +119,17 @@ FX_WRAPS struct rotation rotation_spin(const q30_t axis[3], q16_t rate, uint32_t
     for (int i = 0; i < 3; i++)
         r.q[i + 1] = round_q60((int64_t)sine * axis[i]);
     return r;
+}
+
+struct rotation rotation_turn(const struct matrix *to_eye, uint16_t yaw, uint16_t pitch)
+{
+    /* Half the angle is a 2^-17 turn. The front goes up by a negative turn about x. */
+    const uint32_t y = (uint32_t)yaw << 15, x = (uint32_t)(uint16_t)-pitch << 15;
+    const struct rotation about_y = {{fx_cos(y), 0, fx_sin(y), 0}}, about_x = {{fx_cos(x), fx_sin(x), 0, 0}};
+    struct rotation eye = rotation_product(&about_x, &about_y), world = {{eye.q[0], 0, 0, 0}};
+    /* The eye's turn seen from the world: the same angle, its axis turned back. */
+    matrix_apply_transposed(to_eye, eye.q + 1, world.q + 1);
+    return world;
 }
 
 static struct pose pose_of_key(const struct scene_key *key)

@@ -23,7 +23,7 @@ struct pose {
 /* First b, then a. Lengths multiply; the error is below 2^-28 a product. */
 struct rotation rotation_product(const struct rotation *a, const struct rotation *b);
 
-/* The matrix of a rotation whose length is within 2^-18 of 1; elements err by less than 2^-27 of those of the
+/* The matrix of a rotation whose length is within 2^-17 of 1; elements err by less than 2^-27 of those of the
  * quaternion as stored. */
 struct matrix rotation_matrix(const struct rotation *r);
 
@@ -36,6 +36,11 @@ void vector_normalise(const int32_t v[3], q30_t out[3]);
 
 /* Turned by `rate` turns a second for `time_ms` about a unit axis. */
 struct rotation rotation_spin(const q30_t axis[3], q16_t rate, uint32_t time_ms);
+
+/* A turn in the eye's axes as one in the world's: first the front goes right by `yaw` about the eye's y, then up by
+ * `pitch` about its x, both in 1/65536 turns. `to_eye` is the camera's matrix. Error below 2^-28 beyond that of the
+ * camera's length; quarter turns about one axis have the exact matrix where the camera is not turned. */
+struct rotation rotation_turn(const struct matrix *to_eye, uint16_t yaw, uint16_t pitch);
 
 /* The pose of an object at a time. Between keys, rotation is interpolated linearly along the shorter way and
  * normalised, position and scale linearly. */

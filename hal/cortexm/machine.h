@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What a Cortex-M program asks of whatever runs it. semihost.c answers for emulators and debuggers; link exactly one.
+ * What a Cortex-M program asks of whatever runs it: semihost.c answers for emulators and debuggers, serial.c with a
+ * machine's uart.c for boards; link exactly one.
  */
 #ifndef HAL_CORTEXM_MACHINE_H
 #define HAL_CORTEXM_MACHINE_H
@@ -15,6 +16,10 @@ int machine_command_line(char *line, uint32_t size);
 
 /* Ends the program; does not return. */
 _Noreturn void machine_exit(int code);
+
+/* Starts the machine anew as after power-up, but that RAM keeps what it holds; under an emulator's semihosting it ends
+ * with code 3 instead. Does not return. */
+_Noreturn void machine_reset(void);
 
 /* The CPU's own 24-bit timer as a stopwatch: ticks of the CPU's clock since systick_start(), less than 2^24. */
 void systick_start(void);

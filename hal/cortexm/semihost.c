@@ -33,3 +33,8 @@ _Noreturn void machine_exit(int code)
     for (;;)
         semihost(SYS_EXIT_EXTENDED, block);
 }
+
+_Noreturn void machine_reset(void)
+{
+    machine_exit(3);
+}

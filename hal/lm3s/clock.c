@@ -23,6 +23,9 @@
 #define SYSTICK_RELOAD  (*(volatile uint32_t *)0xE000E014u)
 #define SYSTICK_VALUE   (*(volatile uint32_t *)0xE000E018u)
 
+#define SCB_ICSR    (*(volatile uint32_t *)0xE000ED04u)
+#define ICSR_TICKED (1u << 26) /* SysTick's interrupt waits to be taken */
+
 #define CLOCK_TICKS_MS (LM3S_HZ / 1000u)
 #define CLOCK_TICKS_US (LM3S_HZ / 1000000u)
 
@@ -58,14 +61,21 @@ void lm3s_clock_start(void)
     SYSTICK_CONTROL = 7; /* on, the CPU's clock, interrupt */
 }
 
+/* The counter goes 0, 49999 ... 1, 0, and ticks where it reaches 0. A tick that is not yet counted, because interrupts
+ * are masked or this is one, or in the few cycles until it is taken, is seen waiting: right for a millisecond of
+ * masking. */
 uint32_t clock_us(void)
 {
-    uint32_t ms, left;
-    do { /* until no tick came in between */
+    uint32_t ms, left, gone, ticked;
+    do { /* until no tick was counted in between */
         ms = clock_ms;
         left = SYSTICK_VALUE;
+        ticked = SCB_ICSR & ICSR_TICKED;
     } while (ms != clock_ms);
-    return ms * 1000u + (CLOCK_TICKS_MS - 1 - left) / CLOCK_TICKS_US;
+    gone = left ? CLOCK_TICKS_MS - left : 0;
+    if (ticked && gone < CLOCK_TICKS_MS / 2) /* else the tick came after the counter was read */
+        ms++;
+    return ms * 1000u + gone / CLOCK_TICKS_US;
 }
 
 void clock_wait_us(uint32_t us)

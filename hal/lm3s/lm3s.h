@@ -21,6 +21,15 @@
 
 #define LM3S_HZ 50000000u
 
+/* Interrupts: vectors.c has what serves them. All have the same priority, so none interrupts another. */
+#define LM3S_IRQ_UART0 5
+#define LM3S_IRQ_SSI0  7
+static inline void lm3s_interrupt_enable(unsigned irq)
+{
+    LM3S_REGISTER(0xE000E100u, 0) = 1u << irq;
+}
+void lm3s_ssi_interrupt(void);
+
 /* Pins of one port. */
 struct lm3s_pins {
     uint32_t port; /* LM3S_GPIO... */
@@ -29,6 +38,16 @@ struct lm3s_pins {
 
 /* The CPU to LM3S_HZ from a crystal of 8 MHz, SSI0 and the ports on, and time running. First of all. */
 void lm3s_clock_start(void);
+
+/* Sleeps until an interrupt unless the word is 0. An interrupt that makes it so cannot come between look and sleep: a
+ * masked one wakes too. */
+static inline void lm3s_sleep_while(const volatile uint32_t *word)
+{
+    __asm volatile("cpsid i" ::: "memory");
+    if (*word)
+        __asm volatile("wfi");
+    __asm volatile("cpsie i" ::: "memory");
+}
 
 /* Their levels: the data register's address masks the pins (data sheet 8.2.1.2). */
 static inline void lm3s_pins_write(struct lm3s_pins pins, int high)
@@ -45,7 +64,7 @@ void lm3s_pins_pulled_up(struct lm3s_pins);
 /* Given to the block that the data sheet's table 8-1 names for them. */
 void lm3s_pins_alternate(struct lm3s_pins);
 
-/* UART0 at 115200 baud, 8 bits, no parity, on PA0 and PA1; machine_write() starts it if nobody did. */
+/* UART0 at 115200 baud, 8 bits, no parity, on PA0 and PA1; uart_awake() starts it if nobody did. */
 void lm3s_uart_start(void);
 
 /* SSI0 as a bus, on PA2 (clock), PA3 (chip select, by the block) and PA5 (data out); `dc` is the board's D/C pin. */

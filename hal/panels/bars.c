@@ -11,10 +11,12 @@ static uint16_t bars_colour(uint32_t bar)
     return (uint16_t)((bar & 2 ? 0 : 0xF800u) | (bar & 4 ? 0 : 0x07E0u) | (bar & 1 ? 0 : 0x001Fu));
 }
 
-static uint16_t bars_ramp(uint32_t x, uint32_t width)
+/* One of red, green, blue and white, from dark to light. */
+static uint16_t bars_ramp(uint32_t ramp, uint32_t x, uint32_t width)
 {
+    static const uint16_t masks[4] = {0xF800, 0x07E0, 0x001F, 0xFFFF};
     uint32_t level = x * 32 / width;
-    return (uint16_t)(level << 11 | level << 6 | level);
+    return (uint16_t)((level << 11 | level << 6 | level) & masks[ramp]);
 }
 
 static void bars_put(const struct panel *panel, void *row, uint32_t x, uint32_t colour)
@@ -27,46 +29,35 @@ static void bars_put(const struct panel *panel, void *row, uint32_t x, uint32_t 
     *pair = (uint8_t)(x & 1 ? (*pair & 0xF0u) | colour : (*pair & 0x0Fu) | colour << 4);
 }
 
-enum bars_part { BARS_EDGE, BARS_COLOURS, BARS_RAMP };
-
-static void bars_row(const struct panel *panel, void *row, enum bars_part part)
+/* Parts of the picture begin at even rows where it is grey, with an edge of two: what an SSD0323 takes at quarter
+ * turns. */
+void panel_bars_row(const struct panel *panel, void *row, uint32_t y)
 {
-    int grey = panel->controller->format == HAL_GREY4;
-    uint32_t width = panel->across;
+    const int grey = panel->controller->format == HAL_GREY4;
+    const uint32_t width = panel->across, height = panel->down, edge = grey ? 2 : 1, ramps = height * 3 / 4 & ~1u;
     for (uint32_t x = 0; x < width; x++) {
         uint32_t bar = x * BARS / width, colour;
-        if (part == BARS_EDGE || x == 0 || x == width - 1)
+        if (y < edge || y >= height - edge || x == 0 || x == width - 1)
             colour = grey ? 15 : WHITE;
-        else if (part == BARS_COLOURS)
+        else if (y < ramps)
             colour = grey ? 14 - 2 * bar : bars_colour(bar);
         else
-            colour = grey ? x * 16 / width : bars_ramp(x, width);
+            colour = grey ? x * 16 / width : bars_ramp((y - ramps) * 4 / (height - ramps), x, width);
         bars_put(panel, row, x, colour);
     }
 }
 
-/* A row sent again and again: a stride of 0. */
-static int bars_send(struct panel *panel, void *row, enum bars_part part, uint32_t y, uint32_t rows)
-{
-    bars_row(panel, row, part);
-    int error = panel_display.flush(&panel->display, row, (uint16_t)y, (uint16_t)rows, 0);
-    return error ? error : panel->bus->ops->wait(panel->bus);
-}
-
 int panel_bars(struct panel *panel, void *row)
 {
-    /* Bands of two rows at least: what an SSD0323 takes at quarter turns. Its edge is then two rows thick. */
-    uint32_t height = panel->down, edge = panel->controller->format == HAL_GREY4 ? 2 : 1;
-    uint32_t ramp = height * 3 / 4 & ~1u;
+    uint32_t height = panel->down, rows = panel->controller->format == HAL_GREY4 && height % 2 == 0 ? 2 : 1;
     panel_repaint(panel);
     int error = panel_display.frame_begin(&panel->display, 0, 0);
-    if (!error)
-        error = bars_send(panel, row, BARS_EDGE, 0, edge);
-    if (!error)
-        error = bars_send(panel, row, BARS_COLOURS, edge, ramp - edge);
-    if (!error)
-        error = bars_send(panel, row, BARS_RAMP, ramp, height - edge - ramp);
-    if (!error)
-        error = bars_send(panel, row, BARS_EDGE, height - edge, edge);
+    for (uint32_t y = 0; y < height && !error; y += rows) {
+        panel_bars_row(panel, row, y);
+        /* the row is used again: a stride of 0, and nothing may be on its way when it changes */
+        error = panel_display.flush(&panel->display, row, (uint16_t)y, (uint16_t)rows, 0);
+        if (!error)
+            error = panel->bus->ops->wait(panel->bus);
+    }
     return error ? error : panel_display.frame_end(&panel->display);
 }

@@ -96,10 +96,14 @@ extern const struct hal_display_ops panel_display;
 /* The next picture is sent whole. */
 void panel_repaint(struct panel *panel);
 
+/* Row y of the self-test's picture, for a program that draws it itself. */
+void panel_bars_row(const struct panel *panel, void *row, uint32_t y);
+
 /* Draws the self-test: white, yellow, cyan, green, magenta, red, blue, black from left to right (or 8 greys), below
- * them a ramp from dark to light, around all a line. Order tells rotation and BGR, dark and light tell inversion, a
- * missing side of the line tells an offset. To be called between open and close, outside a picture. `row` is room for a
- * row of pixels; 0 or a HAL_E code. */
+ * them ramps from dark to light of red, green, blue and white (or of the greys), around all a line. Order tells
+ * rotation and BGR, dark and light tell inversion, ramps that jump tell exchanged bytes, a missing side of the line
+ * tells an offset. To be called between open and close, outside a picture. `row` is room for a row of pixels; 0 or a
+ * HAL_E code. */
 int panel_bars(struct panel *panel, void *row);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * SPI0 as a panel's bus. Pixels go out by DMA, 16-bit words as 16-bit frames: the high byte goes first without a swap.
- * What a panel answers is not wired, so the receiver overruns, and nobody reads it.
+ * The SPI as a panel's bus. Pixels go out by DMA, 16-bit words as 16-bit frames: the high byte goes first without a
+ * swap. What a panel answers is not wired, so the receiver overruns, and nobody reads it.
  */
 #include "bus.h"
 #include "clock.h"
@@ -14,12 +14,18 @@
 #define PWM_LEVELS     254u   /* the highest count, so that level 255 is always on */
 #define TEARING_US     26000u /* a picture of the slowest usual rate, 39 Hz */
 
+/* Which of the two: pins go by eights to SPI0 and SPI1 in turn (1.4.3). */
+static uint32_t bus_spi(void)
+{
+    return rp2040_board.sck >> 3 & 1;
+}
+
 static void bus_frames(unsigned bits)
 {
     uint32_t mode = rp2040_board.spi_mode == 3 ? 3u << 6 : 0;
-    REG(SPI_CR1) = 0;
-    REG(SPI_CR0) = CR0_BITS(bits) | mode;
-    REG(SPI_CR1) = CR1_ENABLE;
+    REG(SPI_CR1(bus_spi())) = 0;
+    REG(SPI_CR0(bus_spi())) = CR0_BITS(bits) | mode;
+    REG(SPI_CR1(bus_spi())) = CR1_ENABLE;
 }
 
 static int bus_wait(struct hal_bus *bus)
@@ -27,7 +33,7 @@ static int bus_wait(struct hal_bus *bus)
     (void)bus;
     while (REG(DMA_CTRL) & DMA_BUSY)
         ;
-    while (REG(SPI_SR) & SPI_SR_BSY)
+    while (REG(SPI_SR(bus_spi())) & SPI_SR_BSY)
         ;
     return 0;
 }
@@ -38,9 +44,9 @@ static int bus_write(struct hal_bus *bus, enum hal_bus_kind kind, const uint8_t 
     bus_frames(8);
     rp2040_level(rp2040_board.dc, kind == HAL_BUS_DATA);
     for (uint32_t i = 0; i < count; i++) {
-        while (!(REG(SPI_SR) & SPI_SR_TNF))
+        while (!(REG(SPI_SR(bus_spi())) & SPI_SR_TNF))
             ;
-        REG(SPI_DR) = bytes[i];
+        REG(SPI_DR(bus_spi())) = bytes[i];
     }
     return bus_wait(bus);
 }
@@ -49,9 +55,10 @@ static void bus_dma(const void *from, unsigned word, uint32_t count)
 {
     __asm volatile("" : : : "memory"); /* the pixels are written before they are sent */
     REG(DMA_READ) = (uint32_t)(uintptr_t)from;
-    REG(DMA_WRITE) = SPI_DR;
+    REG(DMA_WRITE) = SPI_DR(bus_spi());
     REG(DMA_COUNT) = count;
-    REG(DMA_CTRL) = DREQ_SPI0_TX | DMA_READ_ON | DMA_SIZE(word - 1) | DMA_ENABLE; /* chained to itself: to none */
+    REG(DMA_CTRL) =
+        DREQ_SPI_TX(bus_spi()) | DMA_READ_ON | DMA_SIZE(word - 1) | DMA_ENABLE; /* chained to itself: to none */
 }
 
 static int bus_pixels(struct hal_bus *bus, const void *pixels, unsigned word, uint32_t count, uint32_t rows,
@@ -116,7 +123,7 @@ struct hal_bus *rp2040_bus(void)
     static const struct hal_bus_ops ops = {bus_write, bus_pixels, bus_wait, bus_reset, bus_backlight, bus_tearing};
     static struct hal_bus bus = {&ops};
     const struct rp2040_board *board = &rp2040_board;
-    rp2040_reset(RESET_SPI0 | RESET_DMA | RESET_PWM);
+    rp2040_reset(RESET_SPI(bus_spi()) | RESET_DMA | RESET_PWM);
     if (board->backlight != RP2040_NO_PIN)
         bus_backlight_start(board->backlight);
     if (board->reset != RP2040_NO_PIN)
@@ -124,8 +131,8 @@ struct hal_bus *rp2040_bus(void)
     if (board->tearing != RP2040_NO_PIN)
         rp2040_pin(board->tearing, PIN_SIO, PAD_INPUT | PAD_SCHMITT);
     rp2040_output(board->dc, 1);
-    REG(SPI_CPSR) = board->spi_divisor;
-    REG(SPI_DMACR) = DMACR_TRANSMIT;
+    REG(SPI_CPSR(bus_spi())) = board->spi_divisor;
+    REG(SPI_DMACR(bus_spi())) = DMACR_TRANSMIT;
     bus_frames(8);
     rp2040_pin(board->sck, PIN_SPI, PAD_DRIVE_8MA | PAD_FAST);
     rp2040_pin(board->mosi, PIN_SPI, PAD_DRIVE_8MA | PAD_FAST);

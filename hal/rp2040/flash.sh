@@ -15,6 +15,7 @@ run() {
     }
 }
 
+device=${RP2040_DEVICE-/dev/disk/by-label/RPI-RP2}
 volume=${RP2040_VOLUME-$(findmnt -rno TARGET -S LABEL=RPI-RP2 2>/dev/null | head -1)}
 for place in "$volume" "/media/${USER-}/RPI-RP2" "/run/media/${USER-}/RPI-RP2" /Volumes/RPI-RP2; do
     # the ROM's volume names itself in this file
@@ -28,9 +29,14 @@ if command -v picotool >/dev/null; then
     run picotool load -x "$1"
     exit 0
 fi
+if [ -e "$device" ]; then
+    echo "the board is there as $device, but not mounted: mount it (udisksctl mount -b $device), or install picotool" >&2
+    exit 3
+fi
 if [ "${DRY_RUN-0}" = 1 ]; then
     run cp "$1" RPI-RP2/
     exit 0
 fi
-echo "no board: no volume RPI-RP2 is mounted, and there is no picotool; hold X (BOOTSEL) while switching the board on" >&2
+echo "no board: no volume RPI-RP2 is mounted, and there is no picotool;" \
+    "hold BOOTSEL (on a PicoSystem X) while switching the board on" >&2
 exit 3

@@ -17,7 +17,7 @@
 #define RESET_PADS_BANK0  (1u << 8)
 #define RESET_PLL_SYS     (1u << 12)
 #define RESET_PWM         (1u << 14)
-#define RESET_SPI0        (1u << 16)
+#define RESET_SPI(spi)    (1u << (16 + (spi)))
 #define RESET_TIMER       (1u << 21)
 #define RESET_UART0       (1u << 22)
 
@@ -56,33 +56,33 @@ enum pin_function { PIN_SPI = 1, PIN_UART = 2, PIN_PWM = 4, PIN_SIO = 5 };
 #define SIO_GPIO_OE_SET  0xD0000024u
 
 /* 2.5 DMA, channel 0 */
-#define DMA_READ       0x50000000u
-#define DMA_WRITE      0x50000004u
-#define DMA_COUNT      0x50000008u
-#define DMA_CTRL       0x5000000Cu /* writing it starts the channel */
-#define DMA_BUSY       (1u << 24)
-#define DMA_READ_ON    (1u << 4)
-#define DMA_SIZE(log2) ((uint32_t)(log2) << 2)
-#define DMA_ENABLE     1u
-#define DREQ_SPI0_TX   (16u << 15)
+#define DMA_READ         0x50000000u
+#define DMA_WRITE        0x50000004u
+#define DMA_COUNT        0x50000008u
+#define DMA_CTRL         0x5000000Cu /* writing it starts the channel */
+#define DMA_BUSY         (1u << 24)
+#define DMA_READ_ON      (1u << 4)
+#define DMA_SIZE(log2)   ((uint32_t)(log2) << 2)
+#define DMA_ENABLE       1u
+#define DREQ_SPI_TX(spi) ((16u + 2 * (spi)) << 15)
 
-/* 4.2 UART0, 4.4 SPI0 (PL011, PL022) */
-#define UART_DR      0x40034000u
-#define UART_FR      0x40034018u
-#define UART_IBRD    0x40034024u
-#define UART_FBRD    0x40034028u
-#define UART_LCR     0x4003402Cu
-#define UART_CR      0x40034030u
-#define UART_FR_RXFE (1u << 4)
-#define UART_FR_TXFF (1u << 5)
-#define SPI_CR0      0x4003C000u
-#define SPI_CR1      0x4003C004u
-#define SPI_DR       0x4003C008u
-#define SPI_SR       0x4003C00Cu
-#define SPI_CPSR     0x4003C010u
-#define SPI_DMACR    0x4003C024u
-#define SPI_SR_TNF   (1u << 1)
-#define SPI_SR_BSY   (1u << 4)
+/* 4.2 UART0, 4.4 SPI0 and SPI1 (PL011, PL022) */
+#define UART_DR        0x40034000u
+#define UART_FR        0x40034018u
+#define UART_IBRD      0x40034024u
+#define UART_FBRD      0x40034028u
+#define UART_LCR       0x4003402Cu
+#define UART_CR        0x40034030u
+#define UART_FR_RXFE   (1u << 4)
+#define UART_FR_TXFF   (1u << 5)
+#define SPI_CR0(spi)   (0x4003C000u + 0x4000u * (spi))
+#define SPI_CR1(spi)   (0x4003C004u + 0x4000u * (spi))
+#define SPI_DR(spi)    (0x4003C008u + 0x4000u * (spi))
+#define SPI_SR(spi)    (0x4003C00Cu + 0x4000u * (spi))
+#define SPI_CPSR(spi)  (0x4003C010u + 0x4000u * (spi))
+#define SPI_DMACR(spi) (0x4003C024u + 0x4000u * (spi))
+#define SPI_SR_TNF     (1u << 1)
+#define SPI_SR_BSY     (1u << 4)
 
 /* 4.5 PWM: a slice for two pins, each with its half of the compare word */
 #define PWM_CSR(slice) (0x40050000u + 0x14u * (slice))

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The RP2040 as machine.h, clock.h, input.h and bus.h ask for it: UART0, the timer, buttons, and SPI0 with DMA channel
- * 0. The board says which pins.
+ * The RP2040 as machine.h, clock.h, input.h and bus.h ask for it: UART0, the timer, buttons, and an SPI with DMA
+ * channel 0. The board says which pins.
  */
 #ifndef HAL_RP2040_H
 #define HAL_RP2040_H
@@ -19,7 +19,7 @@ struct rp2040_button {
 
 struct rp2040_board {
     uint8_t uart_tx, uart_rx;
-    uint8_t sck, mosi, dc;                 /* SPI0's own pins, and any */
+    uint8_t sck, mosi, dc;                 /* pins of one SPI (0 to 7 and 16 to 23: SPI0, the others SPI1), and any */
     uint8_t cs, reset, backlight, tearing; /* or RP2040_NO_PIN */
     uint8_t spi_mode;                      /* 0; 3 for modules without CS */
     uint8_t spi_divisor;                   /* of 125 MHz, even: 2 gives 62.5 MHz */
@@ -41,6 +41,9 @@ void rp2040_clocks_start(void);
 void rp2040_uart_start(void);
 void rp2040_timer_start(void);
 void rp2040_buttons_start(void);
+
+/* The timer's interrupt. */
+void rp2040_timer_alarm(void);
 
 /* Resets subsystems (RESET_ bits), whatever ran before, and lets them go. */
 void rp2040_reset(uint32_t subsystems);

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # What an RP2040 image is made of: the second stage with its CRC as $(RP2040_BOOT2), to be linked, and NAME.elf -> NAME.uf2.
-RP2040_HAL := hal/cortexm/start.c hal/cortexm/mem.c $(addprefix hal/rp2040/,clocks.c gpio.c timer.c uart.c bus.c)
+RP2040_HAL := $(CORTEXM_HAL) hal/cortexm/uart.c $(addprefix hal/rp2040/,vectors.c clocks.c gpio.c timer.c uart.c bus.c) \
+	$(wildcard hal/panels/*.c)
 RP2040_BOOT2 := $(BUILD)/m0plus/hal/rp2040/boot2_crc.o
 RP2040_TOOL := hal/rp2040/image.py
 

@@ -1,37 +1,22 @@
 /* SPDX-License-Identifier: MIT */
-/* The timer counts microseconds; its first alarm wakes the core. It is the only interrupt, so the vectors are here. */
+/* The timer counts microseconds; its first alarm wakes the core. */
 #include "clock.h"
 #include "rp2040/registers.h"
 #include "rp2040/rp2040.h"
 
 #define IDLE_US     2000u
 #define SLEEP_MIN   50u /* us: less is waited for awake */
-#define INTERRUPTS  26u
 #define ALARM       1u
 #define TIMER_IRQ_0 1u /* its bit in the NVIC */
 
-extern uint32_t link_stack_top[];
-void start_reset(void);
-void start_fault(void);
-
-static void timer_alarm(void)
+void rp2040_timer_alarm(void)
 {
     REG(TIMER_INTR) = ALARM;
 }
 
-/* 2.4.5.3: aligned to its size, rounded up to a power of two. */
-__attribute__((aligned(256))) static const void *const timer_vectors[16 + INTERRUPTS] = {
-    [0] = link_stack_top,
-    [1] = (const void *)start_reset,
-    [2 ... 15] = (const void *)start_fault,
-    [16] = (const void *)timer_alarm,
-    [17 ... 15 + INTERRUPTS] = (const void *)start_fault,
-};
-
 void rp2040_timer_start(void)
 {
     rp2040_reset(RESET_TIMER);
-    REG(SCB_VTOR) = (uint32_t)(uintptr_t)timer_vectors;
     REG(TIMER_INTE) = ALARM;
     REG(NVIC_ENABLE) = TIMER_IRQ_0;
 }

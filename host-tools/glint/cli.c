@@ -3,6 +3,7 @@
 
 #include "glint.h"
 
+#include <math.h>
 #include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -80,6 +81,29 @@ bool cli_size(const char *text, uint16_t *width, uint16_t *height)
         return false;
     *width = (uint16_t)w;
     *height = (uint16_t)h;
+    return true;
+}
+
+/* Decimal degrees up to `stop`; returns where it stands, or null. */
+static const char *cli_angle(const char *text, char stop, uint16_t *angle)
+{
+    size_t plain = strspn(text, "-0123456789.");
+    char *end;
+    double degrees = strtod(text, &end);
+    if (plain == 0 || end != text + plain || *end != stop || degrees < -360 || degrees > 360)
+        return NULL;
+    *angle = (uint16_t)(lrint(degrees * 65536 / 360) & 65535);
+    return end;
+}
+
+bool cli_turn(const char *text, uint16_t *yaw, uint16_t *pitch)
+{
+    uint16_t right, up;
+    const char *comma = cli_angle(text, ',', &right);
+    if (!comma || !cli_angle(comma + 1, 0, &up))
+        return false;
+    *yaw = right;
+    *pitch = up;
     return true;
 }
 

@@ -33,6 +33,8 @@ static const char render_help[] =
     "      --frames N         1..1000000; default 1, for .apng, .y4m and folders one loop of the animation\n"
     "      --fps F            frames a second, 1..1000, default 30; frame i shows the moment i * 1000 / F ms\n"
     "      --time MS          the moment of the first frame in milliseconds, default 0\n"
+    "      --turn YAW,PITCH   turns each object about its own origin, its front to the right and up, in degrees; "
+    "default 0,0\n"
     "      --format F         rgb565, rgb888 (default), grey8 or grey4\n"
     "      --dither           ordered dither for rgb565 and grey4\n"
     "      --band-rows N      rows drawn at a time, 1..2048; the default is all. The picture is the same\n"
@@ -53,6 +55,7 @@ struct render {
     struct pack_options pack;
     const char *path, *output_format, *expect, *method, *subdivide;
     uint32_t frames, rate, time_ms, band_rows;
+    uint16_t yaw, pitch;
     bool stats, json, hash, progress, perspective;
 };
 
@@ -71,6 +74,7 @@ enum render_option {
     RENDER_FRAMES,
     RENDER_FPS,
     RENDER_TIME,
+    RENDER_TURN,
     RENDER_FORMAT,
     RENDER_DITHER,
     RENDER_BAND_ROWS,
@@ -96,6 +100,7 @@ static const struct option render_options[] = {{"output", required_argument, NUL
                                                {"frames", required_argument, NULL, RENDER_FRAMES},
                                                {"fps", required_argument, NULL, RENDER_FPS},
                                                {"time", required_argument, NULL, RENDER_TIME},
+                                               {"turn", required_argument, NULL, RENDER_TURN},
                                                {"format", required_argument, NULL, RENDER_FORMAT},
                                                {"dither", no_argument, NULL, RENDER_DITHER},
                                                {"band-rows", required_argument, NULL, RENDER_BAND_ROWS},
@@ -146,6 +151,8 @@ static bool render_value(struct render *render, int option, const char *text)
         return cli_number(text, 1, 1000, &render->rate);
     case RENDER_TIME:
         return cli_number(text, 0, UINT32_MAX, &render->time_ms);
+    case RENDER_TURN:
+        return cli_turn(text, &render->yaw, &render->pitch);
     case RENDER_BAND_ROWS:
         return cli_number(text, 1, GLINT_MAX_SIZE, &render->band_rows);
     case RENDER_TABLES:
@@ -329,8 +336,10 @@ int cmd_render(int argc, char **argv)
     if (!code) {
         render_defaults(&render, packed.scene);
         code = renderer_open(&render.renderer, packed.scene);
-        if (!code)
+        if (!code) {
+            glint_turn(&render.renderer.frame, render.yaw, render.pitch);
             code = render_frames(&render);
+        }
         if (!code)
             renderer_warn(&render.renderer, argv[optind]);
         renderer_close(&render.renderer);

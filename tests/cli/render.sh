@@ -77,6 +77,13 @@ if [ "$size" -eq $((8 * 8 * 3 + 11)) ]; then say ok 'whatever the name'; else sa
 run 'a folder gets numbered pictures' 0 "$glint" render "$demo" --size 40x40 --frames 3 --fps 10 -o out/
 run 'a moment is a frame' 0 "$glint" render "$demo" --size 40x40 --time 200 -o moment.png
 same 'the same that the animation has then' moment.png out/frame-0002.png
+run 'a turned object is drawn' 0 "$glint" render "$demo" --size 40x40 --turn 359.995,.0028 -o turned.png
+if cmp -s turned.png out/frame-0000.png; then say FAIL 'and looks another way' 'the same picture'; else say ok 'and looks another way'; fi
+run 'whole turns' 0 "$glint" render "$demo" --size 40x40 --turn -360,359.999 -o whole.png
+same 'are none' whole.png out/frame-0000.png
+for turn in 1 1, ,1 1,1,1 1,x 361,0 0,-360.1 nan,0 1e1,0 '1, 2' 0x1,0 ''; do
+    run "'$turn' is no turn" 2 "$glint" render "$demo" --turn "$turn" --hash
+done
 run 'pictures go to a pipe' 0 sh -c "'$glint' render '$demo' --size 40x30 --frames 2 -o - --output-format ppm >two.ppm"
 size=$(stat -c %s two.ppm)
 if [ "$size" -eq $((2 * (40 * 30 * 3 + 13))) ]; then say ok 'one after the other'; else say FAIL 'one after the other' "$size bytes"; fi

@@ -3,6 +3,7 @@
 
 As a program: oled.py IMAGE PICTURE runs an image for three seconds and saves the OLED as PNG (512x256, pixels x4).
 """
+import contextlib
 import json
 import os
 import shutil
@@ -10,6 +11,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 
 WIDTH, HEIGHT, SCALE = 128, 64, 4
@@ -21,23 +23,39 @@ class Oled:
 
     def __init__(self, image, options=()):
         self.folder = tempfile.mkdtemp()
-        self.serial = os.path.join(self.folder, "serial")
-        self.seen = 0
-        path = os.path.join(self.folder, "qmp")
-        server = socket.socket(socket.AF_UNIX)
-        server.bind(path)
-        server.listen(1)
-        server.settimeout(30)
+        self.seen, self.received = 0, b""
+        qmp, serial = self.listen("qmp"), self.listen("serial")
         self.vm = subprocess.Popen(
             ["qemu-system-arm", "-M", "lm3s6965evb", "-display", "none", "-monitor", "none", "-chardev",
-             f"file,id=serial,path={self.serial}", "-serial", "chardev:serial", "-qmp", f"unix:{path}", "-kernel", image]
-            + list(options), stdin=subprocess.DEVNULL)
-        connection, _ = server.accept()
+             f"socket,id=serial,path={self.folder}/serial", "-serial", "chardev:serial", "-qmp", f"unix:{self.folder}/qmp",
+             "-kernel", image] + list(options), stdin=subprocess.DEVNULL)
+        self.serial = self.accept(serial)
+        self.listener = threading.Thread(target=self.hear)
+        self.listener.start()
+        connection = self.accept(qmp)
         connection.settimeout(30)
-        server.close()
         self.stream = connection.makefile("rw")
         self.stream.readline()
         self.qmp("qmp_capabilities")
+
+    def listen(self, name):
+        server = socket.socket(socket.AF_UNIX)
+        server.bind(os.path.join(self.folder, name))
+        server.listen(1)
+        server.settimeout(30)
+        return server
+
+    @staticmethod
+    def accept(server):
+        connection, _ = server.accept()
+        server.close()
+        return connection
+
+    def hear(self):
+        """Takes what comes from the serial line: the image's bytes would wait in its UART."""
+        with contextlib.suppress(ConnectionResetError):
+            while came := self.serial.recv(65536):
+                self.received += came
 
     def __enter__(self):
         return self
@@ -45,6 +63,8 @@ class Oled:
     def __exit__(self, *_):
         self.vm.kill()
         self.vm.wait()
+        self.listener.join()
+        self.serial.close()
         shutil.rmtree(self.folder)
 
     def qmp(self, command, **arguments):
@@ -57,12 +77,15 @@ class Oled:
             if "return" in reply:
                 return reply["return"]
 
+    def type(self, text):
+        """Sends text to the serial line."""
+        self.serial.sendall(text.encode())
+
     def line(self, seconds=30):
         """The next whole line that the image has written, or None if none came."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
-            with open(self.serial, encoding="ascii") as serial:
-                lines = serial.read().split("\n")[:-1]
+            lines = self.received.decode("ascii").split("\n")[:-1]
             if len(lines) > self.seen:
                 self.seen += 1
                 return lines[self.seen - 1]
@@ -73,15 +96,33 @@ class Oled:
         event = {"type": "key", "data": {"down": down, "key": {"type": "qcode", "data": KEYS[name]}}}
         self.qmp("input-send-event", events=[event])
 
-    def press(self, *names, wait=True):
-        """Presses keys one after the other, releases them in reverse order; returns the line that answers."""
+    def last(self, seconds):
+        """The last line that has come when no other comes for so long, or None."""
+        last = None
+        while (line := self.line(seconds)) is not None:
+            last = line
+        return last
+
+    def press(self, name):
+        """Presses a key until a line answers, and releases it; returns the last line. A key that is released and pressed
+        between two looks of an image that this machine gave no time was not seen, and is pressed again."""
+        for _ in range(3):
+            self.key(name, True)
+            line = self.line(5)
+            self.key(name, False)
+            if line is not None:
+                return self.last(.05) or line
+            time.sleep(1)
+        raise AssertionError(f"key {name}: no answer")
+
+    def hold(self, names, seconds):
+        """Holds keys; returns the line that tells of their end."""
         for name in names:
             self.key(name, True)
-            time.sleep(.1)
-        for name in reversed(names):
+        time.sleep(seconds)
+        for name in names:
             self.key(name, False)
-            time.sleep(.1)
-        return self.line(10) if wait else None
+        return self.line(10)
 
     def screen(self):
         """The OLED's pixels as 0..255, row by row; an AssertionError if a pixel is not one grey square."""

@@ -6,18 +6,10 @@
 #ifndef PROGRAM_H
 #define PROGRAM_H
 
+#include "app/program_scene.h"
 #include "glint.h"
 
 #define PROGRAM_ARGUMENTS 8
-
-/* A scene that is linked in: its packed bytes. */
-struct program_scene {
-    const char *name;
-    const uint32_t *blob;
-    const uint32_t *length;
-};
-extern const struct program_scene program_scenes[];
-extern const unsigned program_scene_count;
 
 /* The program: argv[0] is its name. Returns the exit code. */
 int program_main(int argc, char **argv);

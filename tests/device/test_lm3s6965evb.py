@@ -5,13 +5,15 @@ import struct
 import subprocess
 import sys
 import tempfile
+import time
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from oled import HEIGHT, KEYS, WIDTH, Oled
+from oled import HEIGHT, WIDTH, Oled
 
 image, glint = sys.argv[1:3]
 failed = 0
-TEXT_ROWS = 6  # of a line of figures
+TEXT_ROWS = 6  # of a line of text
+MENU_LINES, MENU_WIDTH = 8, 19 * 4  # "screen redraw/test "
 
 
 def verdict(name, complaint):
@@ -21,17 +23,32 @@ def verdict(name, complaint):
     print(f"FAIL oled: {name}: {complaint}" if complaint else f"ok oled: {name}", flush=True)
 
 
-def host(scene, method, moment):
+class Told:
+    """What a line of the board says of the picture on show."""
+
+    def __init__(self, line):
+        clauses = line.split(", ") if line and line.startswith("frame ") else []
+        assert len(clauses) >= 5, f"the board says {line!r}"
+        self.line = line
+        _, self.scene, self.method, self.moment, _ = clauses[0].split(" ")
+        self.turn = clauses[2][len("turn "):]
+        self.budget = clauses[3][len("budget "):]
+        self.bytes = int(clauses[4].split(" ")[0])
+        self.running = "running" in clauses[5:]
+        self.dropped = any(clause.endswith(" dropped") for clause in clauses[5:])
+
+
+def host(told):
     """The host's picture, as 0..15."""
-    if method.startswith("subdivide-"):
-        options = ["--method", "subdivide", "--subdivide", method[len("subdivide-"):]]
-    elif method.endswith("-perspective"):
-        options = ["--method", method[:-len("-perspective")], "--perspective"]
+    if told.method.startswith("subdivide-"):
+        options = ["--method", "subdivide", "--subdivide", told.method[len("subdivide-"):]]
+    elif told.method.endswith("-perspective"):
+        options = ["--method", told.method[:-len("-perspective")], "--perspective"]
     else:
-        options = ["--method", method]
-    drawn = subprocess.run([glint, "render", f"tests/scenes/{scene}.json", "--format", "grey4", "--dither", "--size",
-                            f"{WIDTH}x{HEIGHT}", "--time", moment, "--output-format", "raw", "-o", "-"] + options,
-                           check=True, stdout=subprocess.PIPE).stdout
+        options = ["--method", told.method]
+    drawn = subprocess.run([glint, "render", f"tests/scenes/{told.scene}.json", "--format", "grey4", "--dither", "--size",
+                            f"{WIDTH}x{HEIGHT}", "--time", told.moment, "--turn", told.turn, "--tolerance", told.budget,
+                            "--output-format", "raw", "-o", "-"] + options, check=True, stdout=subprocess.PIPE).stdout
     assert len(drawn) == WIDTH * HEIGHT // 2
     return [grey for byte in drawn for grey in (byte >> 4, byte & 15)]
 
@@ -42,47 +59,136 @@ def levels(pixels):
     return [pixel // 17 for pixel in pixels]
 
 
-def compare(oled, line, first=0, last=HEIGHT):
-    """What differs between the OLED and the host's picture of the moment that `line` names."""
-    if not line or not line.startswith("frame ") or line.endswith("running"):
-        return f"the board says {line!r}"
-    _, scene, method, moment = line.split()[:4]
-    want, got = host(scene, method, moment), levels(oled.screen())
+def compare(oled, told, inside=lambda x, y: True):
+    """What differs between the OLED and the host's picture of the moment that the board told of."""
+    if told.running:
+        return "it is not stopped"
+    want, got = host(told), levels(oled.screen())
     if len(set(want)) < 3:
         return "the host's picture is empty"
-    differ = [i for i in range(first * WIDTH, last * WIDTH) if want[i] != got[i]]
-    return f"{len(differ)} pixels of {line} differ, the first at {divmod(differ[0], WIDTH)}" if differ else None
+    differ = [(i % WIDTH, i // WIDTH) for i in range(WIDTH * HEIGHT) if want[i] != got[i]]
+    differ = [place for place in differ if inside(*place)]
+    return f"{len(differ)} pixels differ, the first at {differ[0]}" if differ else None
 
 
-def prime(oled):
-    """The machine's key lines are low until each key was released once."""
-    for key in KEYS:
-        oled.press(key, wait=False)
+def menu_line(line):
+    return next((clause[len("menu "):] for clause in line.split(", ") if clause.startswith("menu ")), None)
+
+
+def choose(oled, wanted):
+    """Opens the menu, goes to that line."""
+    line = oled.press("a")
+    for _ in range(2 * MENU_LINES):
+        if menu_line(line) == wanted:
+            return
+        line = oled.press("down")
+    raise AssertionError(f"the menu has no line {wanted}: {line}")
+
+
+def change(oled, menu, key):
+    """Changes a line of the menu by a key and closes it; the board's last line."""
+    choose(oled, menu)
+    oled.press(key)
+    return oled.press("a")
+
+
+def shows(oled, name, line):
+    """The picture that the line tells of is the host's; what is told of it."""
+    told = Told(line)
+    verdict(f"{name}: {line}", compare(oled, told))
+    return told
+
+
+def below_figures(_x, y):
+    return TEXT_ROWS <= y < HEIGHT - TEXT_ROWS
+
+
+def figures_and_menu(oled):
+    told = Told(change(oled, "motion", "left"))
+    verdict(f"stopped under figures: {told.line}", compare(oled, told, below_figures))
+    verdict("the figures are on the picture", None if compare(oled, told) else "no pixel differs")
+    choose(oled, "info")
+    told = Told(oled.press("left"))
+    menu = [(x, y) for x in range(MENU_WIDTH) for y in range(TEXT_ROWS - 1, (MENU_LINES + 1) * TEXT_ROWS)]
+    covered = set(menu)
+    verdict("beside the menu is the picture", compare(oled, told, lambda x, y: (x, y) not in covered))
+    shown = levels(oled.screen())
+    words = [shown[y * WIDTH + x] for x, y in menu if y >= TEXT_ROWS]
+    verdict("the menu is black and white", None if set(words) == {0, 15} else f"{sorted(set(words))}")
+    chosen = [shown[y * WIDTH + x] for x, y in menu if y // TEXT_ROWS == 7]
+    verdict("with the chosen line inverted", None if chosen.count(15) > chosen.count(0) else "it is not")
+    shows(oled, "after the menu", oled.press("a"))
+
+
+def bytes_sent(oled):
+    choose(oled, "screen")
+    sent = [Told(oled.press(key)).bytes for key in ("left", "up", "down")]
+    whole = WIDTH * HEIGHT // 2
+    good = sent[0] > whole and sent[1] < whole / 2 and sent[2] < whole / 2
+    verdict(f"{sent} bytes are sent for the whole picture and for two lines of the menu", None if good else "not so")
+    shows(oled, "after it was sent whole", oled.press("a"))
+
+
+def steps(oled):
+    lines = [change(oled, "time", key) for key in ("right", "right", "left")]
+    moments = [int(Told(line).moment) for line in lines]
+    good = moments[1] - moments[0] == 100 == moments[1] - moments[2]
+    verdict("steps of 100 ms forth and back", None if good else f"{moments}")
+    shows(oled, "after them", lines[-1])
+
+
+def turns(oled):
+    told = None
+    for keys in (["right"], ["up"], ["left", "up"], ["down"]):
+        told = shows(oled, f"turned by {'+'.join(keys)}", oled.hold(keys, .4))
+    before = [float(angle) for angle in told.turn.split(",")]
+    # the time a key is held is the emulator's: a quarter turn a second, give or take how late keys are seen
+    after = [float(angle) for angle in Told(oled.hold(["right"], .5)).turn.split(",")]
+    way = (after[0] - before[0]) % 360
+    verdict(f"a key held for half a second turns by {way} degrees", None if 35 < way < 90 and before[1] == after[1] else "not 45")
+
+
+def scenes_and_methods(oled):
+    seen = [shows(oled, "the next scene", change(oled, "scene", "right")) for _ in range(8)]
+    seen += [shows(oled, "the next method", change(oled, "method", "right")) for _ in range(20)]
+    scenes, methods = {told.scene for told in seen}, {told.method for told in seen}
+    verdict(f"{len(scenes)} scenes, {len(methods)} methods", None if (len(scenes), len(methods)) == (8, 20) else "fewer")
+    dropped = [told.line for told in seen if told.dropped]
+    verdict("every triangle found room", ", ".join(dropped))
+    while Told(line := change(oled, "method", "left")).method != "subdivide-centre":
+        pass
+    for _ in range(3):
+        told = shows(oled, "a larger budget", change(oled, "budget", "right"))
+    verdict("is 12/255 in the end", None if told.budget == "12" else told.line)
+
+
+def display_test(oled):
+    choose(oled, "screen")
+    oled.key("right", True)
+    line = oled.line(10)
+    verdict("the test is told", None if line and line.startswith("test lm3s6965evb 128x64, rotation 0, menu screen, ") else line)
+    time.sleep(.1)
+    shown = levels(oled.screen())
+    edge = [shown[y * WIDTH + x] for y in range(HEIGHT) for x in range(WIDTH) if x in (0, WIDTH - 1) or y in (0, HEIGHT - 1)]
+    verdict("around its picture is a line", None if set(edge) == {15} else "broken")
+    ramp = shown[(HEIGHT - 5) * WIDTH + 1:(HEIGHT - 4) * WIDTH - 1]
+    verdict("and below a ramp of 16 greys", None if ramp == sorted(ramp) and set(ramp) == set(range(16)) else f"{ramp}")
+    oled.key("right", False)
+    oled.line(10)
+    shows(oled, "after it", oled.press("a"))
 
 
 def pictures():
     with Oled(image) as oled:
-        line = oled.line()
-        verdict("starts with a scene, running", None if line and line.endswith("running") else f"{line!r}")
-        prime(oled)
-        line = oled.press("a")
-        complaint = compare(oled, line, TEXT_ROWS, HEIGHT - TEXT_ROWS)
-        verdict(f"stopped under figures: {line}", complaint)
-        if not complaint:
-            verdict("the figures are on the picture", None if compare(oled, line) else "no pixel differs")
-        seen = [line]
-        for keys in [("a", "up"), ("a", "right"), ("a", "right"), ("a", "left")] + [("right",)] * 8 + [("up",)] * 20:
-            line = oled.press(*keys)
-            verdict(f"after {'+'.join(keys)}: {line}", compare(oled, line))
-            seen.append(line)
-        scenes = {line.split()[1] for line in seen if line}
-        methods = {line.split()[2] for line in seen if line}
-        verdict(f"{len(scenes)} scenes, {len(methods)} methods", None if (len(scenes), len(methods)) == (8, 20) else "fewer")
-        dropped = [line for line in seen if not line or "dropped" in line]
-        verdict("every triangle found room", ", ".join(map(str, dropped)))
-        moments = [line and line.split()[3] for line in seen[1:5]]
-        good = int(moments[1]) - int(moments[0]) == 100 and moments[1] == moments[3]
-        verdict("steps of 100 ms forth and back", None if good else f"{moments}")
+        told = Told(oled.line())
+        verdict("starts with a scene, running", None if told.running else told.line)
+        verdict("no key seems held at the start", oled.last(.3))
+        figures_and_menu(oled)
+        bytes_sent(oled)
+        steps(oled)
+        turns(oled)
+        scenes_and_methods(oled)
+        display_test(oled)
 
 
 def altered(folder, change):
@@ -104,35 +210,22 @@ def turn_scene_bit(data):
     data[at + 400] ^= 1
 
 
-def start_undefined(data):
-    # the first segment lies at address 0; its first instruction to run becomes an undefined one
-    entry, header = struct.unpack_from("<II", data, 24)
-    struct.pack_into("<H", data, struct.unpack_from("<I", data, header + 4)[0] + (entry & ~1), 0xDE00)
-
-
-def fault():
-    with tempfile.TemporaryDirectory() as folder, Oled(altered(folder, start_undefined)) as oled:
-        line = oled.line(10)
-        verdict(f"a fault is told on the serial line: {line}", None if line and line.startswith("fault ") else f"{line!r}")
-
-
 def damaged():
     """One bit of the first scene's blob is turned over."""
     with tempfile.TemporaryDirectory() as folder, Oled(altered(folder, turn_scene_bit)) as oled:
         line = oled.line()
         verdict(f"a damaged scene is told on the serial line: {line}",
                 None if line and line.startswith("error ") else f"{line!r}")
-        prime(oled)
         shown = levels(oled.screen())
         verdict("and on the screen, in black and white",
                 None if set(shown) == {0, 15} and shown.count(15) > 50 else f"{sorted(set(shown))}")
-        told = line.split()[1].rstrip(":") if line else None
-        lines = [oled.press("a"), oled.press("a", "up"), oled.press("right")]
-        verdict(f"the next scene is drawn: {lines[-1]}",
-                compare(oled, lines[-1]) if lines[-1] and lines[-1].split()[1] != told else f"{lines}")
+        broken = line.split()[1].rstrip(":") if line else None
+        change(oled, "motion", "left")
+        change(oled, "info", "left")
+        told = shows(oled, "the next scene is drawn", change(oled, "scene", "right"))
+        verdict("and is another", None if told.scene != broken else told.line)
 
 
 pictures()
 damaged()
-fault()
 sys.exit(failed != 0)

@@ -39,20 +39,46 @@ else
 fi
 # Flashing: a volume that is the ROM's takes the file, another does not, and nothing happens in a dry run.
 volume=$out/volume
-rm -rf "$volume" && mkdir -p "$volume"
-RP2040_VOLUME=$volume PATH=/usr/bin:/bin hal/rp2040/flash.sh "$image" >/dev/null 2>"$out/flash.txt"
-none=$?
+flash() { # what follows: variables
+    message=$(env PATH="$out/no-picotool" RP2040_VOLUME="$volume" RP2040_DEVICE="$out/none" "$@" \
+        /bin/bash hal/rp2040/flash.sh "$image" 2>&1)
+    told=$?
+}
+verdict() { # name, whether
+    if [ "$2" = 0 ]; then
+        echo "ok rp2040: $1"
+    else
+        echo "FAIL rp2040: $1: ${message-}"
+        status=1
+    fi
+}
+rm -rf "$volume" "$out/no-picotool" && mkdir -p "$volume" "$out/no-picotool"
+for tool in cp sync grep findmnt head; do ln -sf "$(command -v $tool)" "$out/no-picotool/"; done
+flash DRY_RUN=0
+[ $told -eq 3 ] && [[ $message == *"no volume RPI-RP2 is mounted, and there is no picotool"*BOOTSEL* ]] && [ -z "$(ls "$volume")" ]
+verdict "without a board, flashing says what is missing" $?
+flash RP2040_DEVICE=/dev/null
+[ $told -eq 3 ] && [[ $message == *"there as /dev/null, but not mounted"* ]]
+verdict "a board that is not mounted is told" $?
 printf 'Board-ID: RPI-RP2\n' >"$volume/INFO_UF2.TXT"
-DRY_RUN=1 RP2040_VOLUME=$volume hal/rp2040/flash.sh "$image" >/dev/null
-left=$(ls "$volume")
-RP2040_VOLUME=$volume hal/rp2040/flash.sh "$image" >/dev/null
-if [ $none -eq 3 ] && grep -q 'no volume RPI-RP2' "$out/flash.txt" && [ "$left" = INFO_UF2.TXT ] &&
-    cmp "$image" "$volume/$(basename "$image")"; then
-    echo "ok rp2040: an image goes to the board's volume, and nowhere else"
-else
-    echo "FAIL rp2040: flashing (status $none without a board, then '$left')"
-    status=1
-fi
+flash DRY_RUN=1
+[ $told -eq 0 ] && [[ $message == "+ cp $image $volume/"* ]] && [ "$(ls "$volume")" = INFO_UF2.TXT ]
+verdict "a dry run says what flashing would do" $?
+flash DRY_RUN=0
+[ $told -eq 0 ] && cmp "$image" "$volume/$(basename "$image")"
+verdict "an image goes to the board's volume" $?
+rm -rf "$volume" && printf '#!/bin/sh\necho "No accessible RP2040 devices in BOOTSEL mode were found."\nexit 249\n' >"$out/no-picotool/picotool"
+chmod +x "$out/no-picotool/picotool"
+flash DRY_RUN=0
+[ $told -eq 3 ] && [[ $message == *"+ picotool load -x $image"*"No accessible"*"picotool failed"* ]]
+verdict "picotool is asked where there is no volume, and its failure told" $?
+rm "$out/no-picotool/picotool"
+message=$(${MAKE:-make} -s BOARD=none board-flash 2>&1)
+[ $? -eq 2 ] && [[ $message == *"give BOARD=, one of: "*picosystem* ]]
+verdict "make flash without a board that is known lists them" $?
+message=$(RP2040_VOLUME='' DRY_RUN=1 ${MAKE:-make} -s BOARD=picosystem board-flash 2>&1)
+[ $? -eq 0 ] && [[ $message == *"/picosystem/app.uf2"* ]]
+verdict "make BOARD=picosystem flash DRY_RUN=1 names the image" $?
 for turn in 0 90 180 270; do
     same demo x 4 24 $turn 300
 done

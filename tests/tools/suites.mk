@@ -37,11 +37,13 @@ suite-golden: $(SCENE_C)
 		tests/tools/check_golden.sh "$$flavour on this machine" all $(BUILD)/matrix/$$flavour/golden || status=1; \
 	done; exit $$status
 
-suite-device: $(foreach c,$(CPUS),$(BUILD)/$(c)/golden.elf) $(BUILD)/m0/golden.elf $(BUILD)/lm3s6965evb/app.elf $(GLINT)
+suite-device: $(foreach c,$(CPUS),$(BUILD)/$(c)/golden.elf) $(BUILD)/m0/golden.elf $(BUILD)/lm3s6965evb/app.elf $(BUILD)/lm3s6965evb/faults.elf \
+		$(GLINT)
 	@status=0; \
 	tests/tools/check_golden.sh "cortex-m0 on microbit" small $(call QEMU,m0) -kernel $(BUILD)/m0/golden.elf || status=1; \
 	$(foreach c,$(CPUS),tests/tools/check_golden.sh "$(subst -mcpu=,,$(CPU_$(c))) on $(subst -M ,,$(QEMU_$(c)))" all \
 		$(call QEMU,$(c)) -kernel $(BUILD)/$(c)/golden.elf || status=1;) \
+	python3 tests/device/test_faults.py $(BUILD)/lm3s6965evb/faults.elf || status=1; \
 	python3 tests/device/test_lm3s6965evb.py $(BUILD)/lm3s6965evb/app.elf $(GLINT) || status=1; exit $$status
 
 suite-docs: $(CORE_LIB) $(SCENE_C) $(BENCH_ELF)

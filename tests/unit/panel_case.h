@@ -178,7 +178,7 @@ static void case_random_row(unsigned y)
         set.picture[y * set.width + x] = (uint16_t)(random_bits() & (case_grey() ? 15 : 0xFFFF));
 }
 
-static void case_random_picture(void)
+static inline void case_random_picture(void)
 {
     for (unsigned y = 0; y < set.height; y++)
         case_random_row(y);
@@ -198,7 +198,7 @@ static void case_draw_band(uint8_t *band, unsigned y, unsigned rows, unsigned st
 }
 
 /* Sends the picture in bands from two buffers in turn; what was given back is spoiled at once. */
-static int case_show(unsigned rows, unsigned padding)
+static inline int case_show(unsigned rows, unsigned padding)
 {
     struct hal_display *display = &set.panel.display;
     unsigned stride = case_row_bytes() + padding;
@@ -233,7 +233,7 @@ static uint16_t case_seen(unsigned x, unsigned y, int bgr, int dark)
 }
 
 /* Pixels that are not seen as drawn. */
-static unsigned case_wrong(int bgr, int dark)
+static inline unsigned case_wrong(int bgr, int dark)
 {
     unsigned wrong = 0;
     for (unsigned y = 0; y < set.height; y++)

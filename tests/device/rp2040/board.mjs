@@ -1,12 +1,24 @@
 // SPDX-License-Identifier: MIT
-// A PicoSystem around an emulated RP2040: takes a UF2 file as the boot ROM does, starts it as the boot ROM does, and
-// gives what SPI0's wires carry to a panel.
+// A board around an emulated RP2040: takes a UF2 file as the boot ROM does, starts it as the boot ROM does, and gives
+// what the SPI's wires carry to a panel. Which pins go where is the board's wires.json, written from its maker's
+// documents: it stands for the copper, and knows nothing of the firmware's idea of it.
 import fs from 'node:fs';
+import {createRequire} from 'node:module';
+import path from 'node:path';
+import {St7789} from './st7789.mjs';
 
 const FLASH = 0x10000000, BOOT2_AT = 0x20041f00;
-const PIN = {reset: 4, cs: 5, sck: 6, mosi: 7, tearing: 8, dc: 9, backlight: 12};
-export const BUTTON = {Y: 16, X: 17, A: 18, B: 19, down: 20, right: 21, left: 22, up: 23};
 const FUNCTION_SPI = 1, FUNCTION_PWM = 4;
+const EXC_HARDFAULT = 3, WATCHDOG = 0x40058, DMA_ABORT = 0x50000444;
+const BOARDS = path.join(import.meta.dirname, '../../../boards');
+
+// The board that the environment's BOARD names, else a PicoSystem; MODULES: the folder rp2040js was installed into.
+export function openBoard(modules) {
+    const name = process.env.BOARD || 'picosystem', file = path.join(BOARDS, name, 'wires.json');
+    if (!fs.existsSync(file)) throw new Error(`${name}: no board that runs here: there is no ${path.relative('.', file)}`);
+    const wires = JSON.parse(fs.readFileSync(file, 'utf8'));
+    return new Board(createRequire(path.resolve(modules) + '/')('rp2040js'), wires, new St7789(wires.glass));
+}
 
 // Blocks of 512 bytes; all of one file must be there, and be for this chip.
 export function flashFromUf2(path) {
@@ -35,7 +47,9 @@ function bootCrc(bytes) {
 }
 
 export class Board {
-    constructor({Simulator}, panel) {
+    constructor({Simulator}, wires, panel) {
+        this.wires = wires;
+        this.pins = wires.pins;
         this.mcu = new Simulator().rp2040;
         this.clock = this.mcu.clock;
         this.panel = panel;
@@ -44,10 +58,10 @@ export class Board {
         this.lines = []; // of UART0: text, and the cycles at their first and last byte
         const note = (name, text) => this.fault(`${name}: ${text}`);
         this.mcu.logger = {debug() {}, info() {}, warn: note, error: note};
-        for (const pin of Object.values(BUTTON)) this.mcu.gpio[pin].setInputValue(true);
-        this.mcu.gpio[PIN.reset].addListener((level) => panel.reset(level === 1, this.clock.nanos));
+        for (const pin of Object.values(wires.buttons)) this.mcu.gpio[pin].setInputValue(true);
+        if ('reset' in this.pins) this.mcu.gpio[this.pins.reset].addListener((level) => panel.reset(level === 1, this.clock.nanos));
         this.wireSpi();
-        this.wireTearing();
+        if ('tearing' in this.pins) this.wireTearing();
         this.wireUart();
     }
 
@@ -56,31 +70,36 @@ export class Board {
     }
 
     press(name, held) {
-        this.mcu.gpio[BUTTON[name]].setInputValue(!held);
+        this.mcu.gpio[this.wires.buttons[name]].setInputValue(!held);
+    }
+
+    // What is seen on it, for a program that turns its picture by `turn` more than the glass is turned.
+    picture(turn = 0) {
+        return this.panel.picture((this.wires.glass.turned + turn) % 360);
     }
 
     // A frame takes its bits' time; D/C and CS must stand still in it.
     wireSpi() {
-        const {mcu, clock, panel} = this, spi = mcu.spi[0], pins = mcu.gpio;
+        const {mcu, clock, panel, pins: {sck, mosi, cs, dc}} = this, spi = mcu.spi[sck >> 3 & 1], pins = mcu.gpio;
         let value = 0, bits = 0, data = false;
         const done = clock.createAlarm(() => {
-            if (pins[PIN.cs].outputValue) this.fault('SPI while the panel is not selected');
-            if (pins[PIN.dc].outputValue !== data) this.fault('D/C changed while bits were on their way');
+            if (cs !== undefined && pins[cs].outputValue) this.fault('SPI while the panel is not selected');
+            if (pins[dc].outputValue !== data) this.fault('D/C changed while bits were on their way');
             for (let at = bits - 8; at >= 0; at -= 8) panel.byte(value >> at & 0xff, data, clock.nanos);
             spi.completeTransmit(0);
         });
         spi.onTransmit = (frame) => {
-            [value, bits, data] = [frame, spi.dataBits, pins[PIN.dc].outputValue];
-            if (pins[PIN.sck].functionSelect !== FUNCTION_SPI || pins[PIN.mosi].functionSelect !== FUNCTION_SPI)
+            [value, bits, data] = [frame, spi.dataBits, pins[dc].outputValue];
+            if (pins[sck].functionSelect !== FUNCTION_SPI || pins[mosi].functionSelect !== FUNCTION_SPI)
                 this.fault('SPI is not on its pins');
-            if (!spi.enabled || spi.spiMode !== 0 || bits % 8) this.fault(`SPI mode ${spi.spiMode}, ${bits} bits`);
+            if (!spi.enabled || spi.spiMode !== (cs === undefined ? 3 : 0) || bits % 8) this.fault(`SPI mode ${spi.spiMode}, ${bits} bits`);
             this.spiHz = spi.clockFrequency;
             done.schedule(bits * 1e9 / this.spiHz);
         };
     }
 
     wireTearing() {
-        const {mcu, clock, panel} = this, pin = mcu.gpio[PIN.tearing];
+        const {mcu, clock, panel} = this, pin = mcu.gpio[this.pins.tearing];
         const turn = clock.createAlarm(() => {
             const high = !pin.rawInputValue, {high: rest, low: scan} = panel.tearingNanos;
             pin.setInputValue(high && panel.tearing);
@@ -91,8 +110,11 @@ export class Board {
 
     // The share of its time that the backlight is on.
     get backlight() {
-        const pin = this.mcu.gpio[PIN.backlight], slice = this.mcu.pwm.channels[PIN.backlight >> 1 & 7];
-        return pin.functionSelect === FUNCTION_PWM && slice.csr & 1 ? Math.min(1, (slice.cc & 0xffff) / (slice.top + 1)) : 0;
+        const {backlight} = this.pins;
+        if (backlight === undefined) return 1;
+        const slice = this.mcu.pwm.channels[backlight >> 1 & 7], level = slice.cc >> (backlight & 1 ? 16 : 0) & 0xffff;
+        const wired = this.mcu.gpio[backlight].functionSelect === FUNCTION_PWM && slice.csr & 1;
+        return wired ? Math.min(1, level / (slice.top + 1)) : 0;
     }
 
     wireUart() {
@@ -113,18 +135,31 @@ export class Board {
         for (const c of text) this.mcu.uart[0].feedByte(c.charCodeAt(0));
     }
 
-    // RP2040 datasheet 2.8.1.3: the second stage to the end of RAM, its CRC, in.
     boot(flash) {
-        const {mcu} = this, stage = flash.subarray(0, 252);
-        const crc = new DataView(flash.buffer).getUint32(252, true);
-        if (bootCrc(stage) !== crc) throw new Error('the boot ROM refuses the second stage: wrong CRC');
+        const {mcu} = this;
         mcu.flash.set(flash, 0);
-        mcu.sram.set(flash.subarray(0, 256), BOOT2_AT - 0x20000000);
-        mcu.core.SP = BOOT2_AT;
-        mcu.core.LR = 0;
-        mcu.core.PC = BOOT2_AT;
         this.slept = 0;
         this.counts = new Float64Array(flash.length / 2); // cycles by half-word of flash, while `counting`
+        // What rp2040js leaves to its user: the HardFault of an undefined instruction, and the watchdog's reset.
+        mcu.onBreak = () => {
+            mcu.core.PC -= mcu.core.breakRewind;
+            mcu.core.exceptionEntry(EXC_HARDFAULT);
+        };
+        mcu.peripherals[WATCHDOG].onWatchdogTrigger = () => this.enter();
+        this.enter();
+    }
+
+    // RP2040 datasheet 2.8.1.3: the second stage to the end of RAM, its CRC, in. The rest of RAM is left as it is.
+    enter() {
+        const {mcu} = this, {core} = mcu, flash = mcu.flash, stage = flash.subarray(0, 252);
+        const crc = new DataView(flash.buffer).getUint32(252, true);
+        if (bootCrc(stage) !== crc) throw new Error('the boot ROM refuses the second stage: wrong CRC');
+        mcu.sram.set(flash.subarray(0, 256), BOOT2_AT - 0x20000000);
+        Object.assign(core, {IPSR: 0, PM: false, currentMode: 0, pendingInterrupts: 0, enabledInterrupts: 0});
+        mcu.writeUint32(DMA_ABORT, 0xfff);
+        core.SP = BOOT2_AT;
+        core.LR = 0;
+        core.PC = BOOT2_AT;
     }
 
     // Of the system clock since boot, sleep included.

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Shows a scene's first picture whole and a later one by its changed rows, and says on the UART when each begins and
- * ends. The line "SCENE METHOD TABLES ROWS ROTATION MS" on the UART says what.
+ * ends. The line "SCENE METHOD TABLES ROWS ROTATION MS" on the UART says what; ROTATION is added to the board's own.
  */
 #include "panels/panel.h"
 #include "boards/board.h"
@@ -65,8 +65,9 @@ static int panel_init(struct glint_frame *frame, const struct panel_job *job, co
 static int panel_run(const struct panel_job *job, const struct board *board)
 {
     struct hal_display *display = board->display;
+    struct panel *panel = (struct panel *)display;
     struct glint_frame frame;
-    ((struct panel *)display)->rotation = (uint16_t)job->rotation;
+    panel->rotation = (uint16_t)((panel->rotation + job->rotation) % 360);
     if (panel_init(&frame, job, board) != 0 ||
         display->ops->open(display, board->width, board->height, HAL_RGB565) != 0)
         return 2;

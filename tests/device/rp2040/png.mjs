@@ -20,7 +20,7 @@ function crc32(bytes) {
 }
 
 // A PNG of RGB565 pixels, widened by repeating their upper bits.
-export function png(pixels, width, height) {
+export function png({pixels, width, height}) {
     const rows = Buffer.alloc(height * (1 + 3 * width));
     for (let y = 0, at = 0; y < height; y++) {
         at++;

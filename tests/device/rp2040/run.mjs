@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 // run.mjs MODULES IMAGE.uf2 "COMMAND" PICTURE [SYMBOLS]: runs panel.c on the emulated board with that line on its UART
 // and some buttons held, writes what the panel shows, turned as it was mounted, as PICTURE-first and PICTURE, .raw
-// (RGB565) and .png, and prints what the program cost. MODULES is the folder that rp2040js was installed into. With
-// SYMBOLS, what `nm` prints of the image, it prints each function's cycles in the second frame that is drawn only.
+// (RGB565) and .png, and prints what the program cost. MODULES is the folder that rp2040js was installed into; the
+// environment's BOARD names another board than the PicoSystem. With SYMBOLS, what `nm` prints of the image, it prints
+// each function's cycles in the second frame that is drawn only.
 import fs from 'node:fs';
-import {createRequire} from 'node:module';
-import path from 'node:path';
-import {Board, flashFromUf2} from './board.mjs';
+import {flashFromUf2, openBoard} from './board.mjs';
 import {png} from './png.mjs';
-import {St7789} from './st7789.mjs';
 
-const SECONDS = 5, HELD = ['up', 'right', 'Y'], HELD_SEEN = 'buttons 00000089'; // by hal/input.h
+const SECONDS = 5, HELD = {up: 1, right: 8, Y: 128}; // bits of hal/input.h
 const [modules, image, command, picture, symbols] = process.argv.slice(2);
 if (!picture) {
     console.error('usage: run.mjs MODULES IMAGE.uf2 "COMMAND" PICTURE [SYMBOLS]');
@@ -36,14 +34,15 @@ function profile(counts) {
 }
 
 function write(name, shown) {
-    fs.writeFileSync(`${name}.raw`, Buffer.from(shown.buffer));
-    fs.writeFileSync(`${name}.png`, png(shown, 240, 240));
+    fs.writeFileSync(`${name}.raw`, Buffer.from(shown.pixels.buffer));
+    fs.writeFileSync(`${name}.png`, png(shown));
 }
 
 try {
-    const panel = new St7789(), board = new Board(createRequire(path.resolve(modules) + '/')('rp2040js'), panel);
+    const board = openBoard(modules), {panel} = board, held = Object.keys(HELD).filter((name) => name in board.wires.buttons);
     board.boot(flashFromUf2(image));
-    HELD.forEach((name) => board.press(name, true));
+    held.forEach((name) => board.press(name, true));
+    const heldLine = 'buttons ' + held.reduce((sum, name) => sum + HELD[name], 0).toString(16).padStart(8, '0');
     board.type(command + '\n');
     const bytes = [0];
     const sent = () => panel.bytes.command + panel.bytes.data;
@@ -52,14 +51,14 @@ try {
         if (text === 'draw') board.counting = drawn++ === 1;
         if (text === 'drawn') board.counting = false;
         if (text === 'show' || text === 'shown') bytes.push(sent());
-        if (text === 'first') write(`${picture}-first`, panel.picture(turn));
+        if (text === 'first') write(`${picture}-first`, board.picture(turn));
     };
     const code = board.run(SECONDS);
     panel.finish();
-    write(picture, panel.picture(turn));
+    write(picture, board.picture(turn));
     const faults = [...board.faults, ...panel.faults];
     if (code !== 0) faults.push(code === undefined ? 'did not end' : `ended with ${code}`);
-    if (!board.lines.some((line) => line.text === HELD_SEEN)) faults.push(`no line "${HELD_SEEN}"`);
+    if (!board.lines.some((line) => line.text === heldLine)) faults.push(`no line "${heldLine}"`);
     if (board.backlight !== 1) faults.push(`backlight at ${board.backlight}`);
     faults.forEach((text) => console.error(`${image}: ${text}`));
     const draw = passages(board.lines, 'draw', 'drawn'), show = passages(board.lines, 'show', 'shown');

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The ST7789's side of the wires, by its datasheet's command set: what a 240x240 glass on its 240x320 memory shows.
+// The ST7789's side of the wires, by its datasheet's command set: what a glass on its 240x320 memory shows.
 // Times are in nanoseconds; what the datasheet forbids is noted in `faults`.
 
-const COLUMNS = 240, ROWS = 320, SIDE = 240;
+const COLUMNS = 240, ROWS = 320;
 const MY = 0x80, MX = 0x40, MV = 0x20, BGR = 0x08;
 const MS = 1e6;
 const NAMES = {NOP: 0x00, SWRESET: 0x01, SLPIN: 0x10, SLPOUT: 0x11, INVOFF: 0x20, INVON: 0x21, DISPOFF: 0x28, DISPON: 0x29,
@@ -11,7 +11,9 @@ const NAMES = {NOP: 0x00, SWRESET: 0x01, SLPIN: 0x10, SLPOUT: 0x11, INVOFF: 0x20
 const TUNING = {0xb2: 5, 0xb7: 1, 0xbb: 1, 0xc0: 1, 0xc2: 1, 0xc3: 1, 0xc4: 1, 0xc6: 1, 0xd0: 2, 0xe0: 14, 0xe1: 14};
 
 export class St7789 {
-    constructor() {
+    // The glass as built, and where its first pixel is in the memory.
+    constructor({width, height, x = 0, y = 0}) {
+        this.glass = {width, height, x, y};
         this.memory = new Uint16Array(COLUMNS * ROWS).fill(0xf81f); // what power-up leaves is anything
         this.faults = [];
         this.bytes = {command: 0, data: 0};
@@ -125,13 +127,13 @@ export class St7789 {
     // What the glass shows, RGB565. Its liquid crystal is dark without voltage: a true picture needs INVON.
     // Looked at with the glass turned clockwise by that many degrees.
     picture(turn = 0) {
-        const shown = new Uint16Array(SIDE * SIDE), last = SIDE - 1;
-        if (this.asleep || !this.on) return shown;
-        for (let y = 0; y < SIDE; y++)
-            for (let x = 0; x < SIDE; x++) {
-                const [gx, gy] = {0: [x, y], 90: [y, last - x], 180: [last - x, last - y], 270: [last - y, x]}[turn];
-                shown[y * SIDE + x] = this.memory[gy * COLUMNS + gx] ^ (this.inverted ? 0 : 0xffff);
+        const {glass} = this, [width, height] = turn % 180 ? [glass.height, glass.width] : [glass.width, glass.height];
+        const pixels = new Uint16Array(width * height), right = glass.width - 1, bottom = glass.height - 1;
+        for (let y = 0; !this.asleep && this.on && y < height; y++)
+            for (let x = 0; x < width; x++) {
+                const [gx, gy] = {0: [x, y], 90: [y, bottom - x], 180: [right - x, bottom - y], 270: [right - y, x]}[turn];
+                pixels[y * width + x] = this.memory[(glass.y + gy) * COLUMNS + glass.x + gx] ^ (this.inverted ? 0 : 0xffff);
             }
-        return shown;
+        return {pixels, width, height};
     }
 }

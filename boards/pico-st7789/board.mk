@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+$(eval $(call rp2040_board,pico-st7789))
