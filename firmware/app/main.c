@@ -7,7 +7,9 @@
 #include "cortexm/stack.h"
 #include "input.h"
 
-#define MAIN_PERIOD_US 16667u  /* a picture, and a look at the buttons: longer than a key bounces */
+/* A picture, and a look at the buttons: longer than a key bounces, and a little less than pictures of a display at 60
+ * Hz are apart, whose tearing signal then sets the pace. */
+#define MAIN_PERIOD_US 16000u
 #define MAIN_RATE_US   500000u /* over which the pictures a second are counted */
 
 struct main_state {
@@ -101,8 +103,10 @@ static int main_loop(struct main_state *state, const struct app_start *start)
         effect |= control_step(&app->control, buttons, elapsed);
         state->last_us = now;
         app->buttons = 0;
-        if (effect & CONTROL_READY)
+        if (effect & CONTROL_READY) {
             show_ready(app);
+            main_count(&state, 0); /* others are another number */
+        }
         if (effect & CONTROL_REPAINT)
             show_repaint(app);
         main_count(state, effect & CONTROL_DRAW);

@@ -58,7 +58,6 @@ void show_ready(struct app *app)
     struct glint_config config = show_config(app);
     const struct program_scene *scene = app_scene(app);
     app->problem = 0;
-    app->rate = 0;
     if (glint_scene_check(scene->blob, *scene->length) != 0) {
         app->problem = glint_scene_problem(scene->blob, *scene->length);
         return;
