@@ -105,7 +105,7 @@ static int main_loop(struct main_state *state, const struct app_start *start)
         app->buttons = 0;
         if (effect & CONTROL_READY) {
             show_ready(app);
-            main_count(&state, 0); /* others are another number */
+            main_count(state, 0); /* others are another number */
         }
         if (effect & CONTROL_REPAINT)
             show_repaint(app);
