@@ -13,6 +13,7 @@
 
 #include <errno.h>
 #include <linux/spi/spidev.h>
+#include <pthread.h>
 #include <signal.h>
 #include <stdio.h>
 
@@ -49,6 +50,7 @@ struct machine {
     uint16_t seen[320 * 240]; /* what it showed then */
 };
 static struct machine machine;
+static pthread_mutex_t machine_wire = PTHREAD_MUTEX_INITIALIZER; /* who holds it keeps the SPI device from sending */
 
 /* Whether this call fails; errno says why. Calls come from two threads. */
 static int machine_fails(void)
@@ -150,8 +152,10 @@ int kernel_ioctl(int descriptor, unsigned long request, void *argument)
         if (machine.quits_in_picture && machine.panel.command == 0x2C && transfer->len > 1)
             raise(SIGTERM);
         machine.largest = transfer->len > machine.largest ? transfer->len : machine.largest;
+        pthread_mutex_lock(&machine_wire);
         for (uint32_t i = 0; i < transfer->len; i++)
             machine_byte(((const uint8_t *)(uintptr_t)transfer->tx_buf)[i]);
+        pthread_mutex_unlock(&machine_wire);
     }
     return 0;
 }

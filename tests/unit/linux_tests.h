@@ -3,6 +3,7 @@
 #ifndef LINUX_TESTS_H
 #define LINUX_TESTS_H
 
+#include "linux/wires.h"
 #include "linux_case.h"
 
 static const struct wiring {
@@ -87,6 +88,56 @@ static void pieces_are_as_long_as_the_kernel_takes_them(void **state)
     assert_string_equal(case_told, "");
     assert_in_range(machine.largest, 50, 100);
     assert_memory_equal(machine.seen, good, sizeof good);
+}
+
+/* While the wire is held, a band is taken, and its memory is the caller's again. */
+static void a_band_is_taken_before_it_is_sent(void **state)
+{
+    static struct wires wires;
+    const struct wires_config config = {.chip = "pinctrl-test", .spi = MACHINE_SPI, .dc = {"dc", 0}, .speed = 1000000};
+    uint16_t band[64];
+    (void)state;
+    machine_start(MODEL_ST7789);
+    machine.levels |= 1u << RESET;
+    machine.panel.command = 0x2C, machine.panel.format = 5, machine.panel.asleep = 0, machine.panel.on = 1;
+    machine.panel.inverted = 1;
+    assert_int_equal(wires_open(&wires, &config), 0);
+    pthread_mutex_lock(&machine_wire);
+    for (int i = 0; i < 64; i++)
+        band[i] = (uint16_t)(0x1234 + i);
+    assert_int_equal(wires.ops.pixels(&wires.bus, band, 2, 64, 1, 128), 0);
+    memset(band, 0, sizeof band);
+    assert_int_equal(machine.panel.bytes, 0);
+    pthread_mutex_unlock(&machine_wire);
+    assert_int_equal(wires.ops.wait(&wires.bus), 0);
+    assert_int_equal(machine.panel.bytes, 128);
+    for (unsigned i = 0; i < 64; i++)
+        assert_int_equal(machine.panel.memory[0][i], 0x1234 + i);
+    assert_int_equal(wires_close(&wires), 0);
+}
+
+/* Rows apart, longer than both buffers together, and a row again and again: all arrive in order. */
+static void rows_of_any_length_and_distance_arrive(void **state)
+{
+    static struct wires wires;
+    static uint16_t pixels[240 * 320];
+    const struct wires_config config = {.chip = "pinctrl-test", .spi = MACHINE_SPI, .dc = {"dc", 0}, .speed = 1000000};
+    (void)state;
+    machine_start(MODEL_ST7789);
+    machine.levels |= 1u << RESET;
+    machine.panel.command = 0x2C, machine.panel.format = 5;
+    assert_int_equal(wires_open(&wires, &config), 0);
+    for (unsigned i = 0; i < 240 * 320; i++)
+        pixels[i] = (uint16_t)(i * 40503u);
+    assert_int_equal(wires.ops.pixels(&wires.bus, pixels, 2, 240, 320, 480), 0);
+    assert_int_equal(wires.ops.wait(&wires.bus), 0);
+    assert_memory_equal(machine.panel.memory, pixels, sizeof pixels);
+    assert_int_equal(wires.ops.pixels(&wires.bus, pixels, 2, 240, 160, 960), 0); /* every other row */
+    assert_int_equal(wires.ops.pixels(&wires.bus, pixels, 2, 240, 160, 0), 0);   /* the first */
+    assert_int_equal(wires.ops.wait(&wires.bus), 0);
+    for (unsigned y = 0; y < 320; y++)
+        assert_memory_equal(machine.panel.memory[y], y < 160 ? pixels + 480 * y : pixels, 480);
+    assert_int_equal(wires_close(&wires), 0);
 }
 
 static void mode_and_speed_are_the_device_s(void **state)
@@ -266,6 +317,8 @@ int main(void)
         cmocka_unit_test(any_call_that_fails_once_is_told_or_mended),
         cmocka_unit_test(calls_that_fail_from_some_time_on_end_with_one_message),
         cmocka_unit_test(pieces_are_as_long_as_the_kernel_takes_them),
+        cmocka_unit_test(a_band_is_taken_before_it_is_sent),
+        cmocka_unit_test(rows_of_any_length_and_distance_arrive),
         cmocka_unit_test(mode_and_speed_are_the_device_s),
         cmocka_unit_test(what_is_missing_is_named),
         cmocka_unit_test(a_chip_of_several_names_is_found_by_any),
