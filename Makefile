@@ -53,7 +53,7 @@ demo: deps-demo ## Render the demo (or SCENE=file) into build/demo/
 	$(Q)$(GLINT) demo '$(SCENE)' '$(BUILD)/demo'
 
 test: deps-test ## Run every test; the last line counts them
-	$(Q)tests/tools/run.sh unit cli models core golden device rp2040 docs sanitize bench
+	$(Q)tests/tools/run.sh unit cli models core golden device rp2040 linux docs sanitize bench
 
 test-unit: deps-test ## Unit tests
 	$(Q)tests/tools/run.sh unit
@@ -75,6 +75,9 @@ test-device: deps-test ## The same list on emulated Cortex-M0, M0+, M3 and M4
 
 test-rp2040: deps-test ## Frames on the display wires of an emulated PicoSystem, and their cycles
 	$(Q)tests/tools/run.sh rp2040
+
+test-linux: deps-test ## The Linux boards' program on an emulated handheld, judged at its pins
+	$(Q)tests/tools/run.sh linux
 
 test-sanitize: deps-test ## Unit tests, command line and hashes under clang's sanitizers; firmware/ and hal/ under integer too
 	$(Q)tests/tools/run.sh sanitize
@@ -180,9 +183,10 @@ include tests/tools/boards.mk
 include boards/linux/linux.mk
 include tests/tools/suites.mk
 include tests/tools/rp2040.mk
+include tests/tools/linux.mk
 include tests/tools/faults.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
-.PHONY: all tool demo test test-unit test-cli test-models test-core test-golden test-device test-rp2040 test-sanitize test-exhaustive \
+.PHONY: all tool demo test test-unit test-cli test-models test-core test-golden test-device test-rp2040 test-linux test-sanitize test-exhaustive \
 	bench bench-setup report figures profile size stack golden lint format check-format deps deps-demo deps-test deps-linux image run flash install clean help

@@ -13,9 +13,6 @@ linux="$demo $(case $(uname -m) in arm* | aarch64) echo libgpiod-dev ;; *) echo 
 # A tool that came by another way than apt serves as well; a library needs its package or its pkg-config file.
 have() {
     case $1 in
-    gcc-arm-linux-gnueabihf) command -v arm-linux-gnueabihf-gcc ;;
-    libc6-dev-armhf-cross) [ -e /usr/arm-linux-gnueabihf/include/stdio.h ] ;;
-    libc6-dev-armhf-cross) [ -e /usr/arm-linux-gnueabihf/include/stdio.h ] ;;
     device-tree-compiler) command -v dtc ;;
     gcc-arm-none-eabi) command -v arm-none-eabi-gcc && command -v arm-none-eabi-nm ;;
     nodejs) command -v node ;;

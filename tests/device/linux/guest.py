@@ -7,6 +7,7 @@ guest measures does not depend on the machine under it, and the stamps mean noth
 """
 import fcntl
 import os
+import re
 import select
 import shutil
 import socket
@@ -16,16 +17,17 @@ import time
 
 from pins import Wires
 
-CHIP = "/machine/unattached/device[6]"
+DEVICE = re.compile(rb":pl061_set_output (\S+) ")
 
 
 class Guest:
     """A running handheld. Use it in a `with`."""
 
-    def __init__(self, kernel, folder, counted=None):
+    def __init__(self, kernel, folder, counted=None, kernel_options=""):
         self.folder = tempfile.mkdtemp()
-        self.wires = Wires()
+        self.wires = Wires(counted is None)
         self.heard = b""
+        self.chip = ""  # the GPIO chip as QEMU calls it
         # The trace goes through a pipe and is read as it comes: a picture's is 200 MB.
         pipe = os.path.join(self.folder, "pins")
         os.mkfifo(pipe)
@@ -40,11 +42,11 @@ class Guest:
              "-no-reboot", "-accel", "tcg", "-serial", "stdio", "-chardev", f"socket,id=qtest,path={self.folder}/qtest",
              "-qtest", "chardev:qtest", "-qtest-log", "none", "-trace", "pl061_set_output", "-msg", "timestamp=on",
              "-D", pipe, "-kernel", kernel, "-initrd", f"{folder}/initrd.gz", "-dtb", f"{folder}/guest.dtb", "-append",
-             "console=ttyAMA0 quiet loglevel=1 panic=-1 rdinit=/init"] +
+             f"console=ttyAMA0 quiet loglevel=1 panic=-1 rdinit=/init {kernel_options}"] +
             (["-icount", f"shift={counted},sleep=off"] if counted is not None else []),
             stdin=subprocess.PIPE, stdout=subprocess.PIPE)
         self.qtest, _ = server.accept()
-        self.qtest.settimeout(30)
+        self.qtest.setblocking(False)
         server.close()
 
     def __enter__(self):
@@ -63,6 +65,7 @@ class Guest:
         """Reads what has happened at the pins."""
         try:
             while listing := os.read(self.trace, 1 << 20):
+                self.chip = self.chip or (DEVICE.search(listing) or ["", b""])[1].decode()
                 self.wires.feed(listing)
         except BlockingIOError:
             pass
@@ -91,6 +94,17 @@ class Guest:
         text, self.heard = self.heard.split(mark, 1)
         return text.decode(errors="replace").replace("\r", "")
 
+    def rest(self, seconds):
+        """Lets time go by. Who does not watch the pins stops the guest."""
+        end = time.monotonic() + seconds
+        while (left := end - time.monotonic()) > 0:
+            self.listen(left)
+
+    def lines(self):
+        """The whole lines that the console has said."""
+        lines, _, self.heard = self.heard.rpartition(b"\n")
+        return lines.decode(errors="replace").replace("\r", "").splitlines()
+
     def start(self, line):
         self.vm.stdin.write(line.encode() + b"\n")
         self.vm.stdin.flush()
@@ -106,9 +120,14 @@ class Guest:
 
     def key(self, line, level):
         """Drives a line that the guest reads."""
-        self.qtest.sendall(f"set_irq_in {CHIP} unnamed-gpio-in {line} {level}\n".encode())
+        self.qtest.sendall(f"set_irq_in {self.chip} unnamed-gpio-in {line} {level}\n".encode())
         answer = b""
         while b"\n" not in answer:
-            answer += self.qtest.recv(4096)
+            select.select([self.qtest, self.trace], [], [], 30)
+            self.watch()  # or QEMU waits for room in the pipe, and does not answer
+            try:
+                answer += self.qtest.recv(4096)
+            except BlockingIOError:
+                pass
         if not answer.startswith(b"OK"):
             raise RuntimeError(f"qtest: {answer!r}")

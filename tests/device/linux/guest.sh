@@ -1,15 +1,17 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# guest.sh DEBIAN VERSION OUT PROGRAM...: an emulated handheld's OUT/initrd.gz and OUT/guest.dtb, of what fetch.sh left in
-# DEBIAN: busybox, the C library of the cross compiler, libgpiod VERSION (v1 or v2) and the programs, in /bin. Its console
-# takes a line of shell at a time, and ends what the line printed with \036 and its status (guest.py is the other side).
+# guest.sh DEBIAN VERSION OUT PROGRAM BOARD: an emulated handheld's OUT/initrd.gz and OUT/guest.dtb, of what fetch.sh left
+# in DEBIAN: busybox, the C library of the cross compiler, libgpiod VERSION (v1 or v2), the program as /bin/glint-device and
+# the board's file. Its console takes a line of shell at a time, and ends what the line printed with \036 and its status
+# (guest.py is the other side).
 set -eu
-debian=$1 version=$2 out=$3
-shift 3
+debian=$1 version=$2 out=$3 program=$4 board=$5
 root=$out/root
 rm -rf "$root"
-mkdir -p "$root"/{bin,lib,proc,sys,dev,tmp,etc}
-cp "$debian/busybox" "$@" "$root/bin/"
+mkdir -p "$root"/{bin,lib,proc,sys,dev,tmp,etc/glint}
+cp "$debian/busybox" "$root/bin/"
+cp "$program" "$root/bin/glint-device"
+cp "$board" "$root/etc/glint/board.conf"
 for library in ld-linux-armhf.so.3 libc.so.6; do
     cp -L "$(arm-linux-gnueabihf-gcc -print-file-name=$library)" "$root/lib/"
 done
@@ -22,6 +24,7 @@ cat >"$root/init" <<'INIT'
 export PATH=/bin HOME=/tmp
 mount -t proc p /proc
 mount -t sysfs s /sys
+mount -t debugfs d /sys/kernel/debug
 mount -t devtmpfs d /dev
 stty -echo -onlcr
 printf '\0360\n'

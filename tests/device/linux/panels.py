@@ -3,20 +3,17 @@
 
 Bytes come in with the level of D/C and the time in microseconds; what the glass shows comes out. What a data sheet
 forbids (a command too early, a parameter too few, a window outside) is in `faults`. `log` has each command with its
-parameters, or for pixels their bytes' number, and the microseconds from its end to the next byte's.
+parameters, or for pixels their bytes' number, and the longest pause in and behind it, in microseconds.
 """
 MS = 1000
 
 
-def quarter_turned(at, width, height, turn):
-    """The picture, row by row, on a glass of that size that was turned clockwise by that many degrees."""
-    if turn == 0:
-        return [at(x, y) for y in range(height) for x in range(width)]
-    if turn == 180:
-        return [at(width - 1 - x, height - 1 - y) for y in range(height) for x in range(width)]
-    if turn == 90:
-        return [at(y, height - 1 - x) for y in range(width) for x in range(height)]
-    return [at(width - 1 - y, x) for y in range(width) for x in range(height)]
+def turned_upright(pixels, width, height, turn):
+    """The picture that somebody sees who looks at a glass turned clockwise by that many degrees."""
+    rows = [pixels[y * width:][:width] for y in range(height)]
+    for _ in range(turn // 90):
+        rows = [list(column) for column in zip(*rows[::-1])]
+    return [pixel for row in rows for pixel in row]
 
 
 class Panel:
@@ -26,6 +23,8 @@ class Panel:
         self.glass = (width, height, x, y)
         self.faults, self.log = [], []
         self.held, self.ready, self.reset_at, self.last = True, 0, None, None
+        self.shown = None  # the glass before it went dark
+        self.lit = []  # changes of the backlight: level, and whether the glass shows something
         self.defaults()
 
     def fault(self, text):
@@ -38,9 +37,13 @@ class Panel:
     def reset(self, level, now):
         if level and self.reset_at is not None and now - self.reset_at < self.RESET_LOW:
             self.fault(f"reset for {now - self.reset_at} us only")
+        self.darken()
         self.defaults()
         self.held, self.reset_at, self.ready = not level, now, now + self.RESET_REST
         self.last = now
+
+    def backlight(self, level):
+        self.lit.append((level, not self.dark()))
 
     def byte(self, value, data, now):
         if self.held:
@@ -57,12 +60,21 @@ class Panel:
         """Nothing is to be seen."""
         return self.held or not self.on
 
-    def picture(self, turn=0):
-        width, height, x, y = self.glass
-        if self.dark():
-            return [0] * (width * height)
+    def darken(self):
+        """What follows puts the glass out; what it shows now is kept."""
+        if not self.dark():
+            self.shown = self.glass_pixels()
+
+    def glass_pixels(self):
         self.wiring()
-        return quarter_turned(lambda a, b: self.seen(a + x, b + y), width, height, turn)
+        width, height, left, top = self.glass
+        return [self.seen(left + x, top + y) for y in range(height) for x in range(width)]
+
+    def picture(self, turn=0):
+        """What is seen on the glass turned clockwise by that many degrees, or was before it went dark; None: nothing."""
+        pixels = self.shown if self.dark() else self.glass_pixels()
+        width, height = self.glass[:2]
+        return pixels and turned_upright(pixels, width, height, turn)
 
 
 class Dcs(Panel):
@@ -114,6 +126,8 @@ class Dcs(Panel):
         if command not in self.commands:
             self.fault(f"unknown command {command:02x}")
         self.log.append([command, 0 if self.commands.get(command, 0) is None else b"", 0])
+        if command in (0x01, 0x10, 0x28):
+            self.darken()
         if command == 0x01:
             self.defaults()
             self.reset_at, self.ready = now, now + 5 * MS
@@ -234,6 +248,8 @@ class Ssd0323(Panel):
             self.fault(f"unknown command {command:02x}")
         self.command, self.parameters, self.wanted = command, [], self.ARGUMENTS.get(command, 0)
         self.log.append([command, b"", 0])
+        if command == 0xAE:
+            self.darken()
         if command in (0xAE, 0xAF):
             self.on = command == 0xAF
         elif command in (0xA4, 0xA5, 0xA6, 0xA7):

@@ -2,7 +2,8 @@
 """A logic analyser's listing of a GPIO chip's pins, read as the wires to a panel.
 
 QEMU's trace event pl061_set_output is a line a change of a pin's level, with the time in front. Bits count at the
-clock's rising edge while the panel is selected: SPI modes 0 and 3. What a panel would not forgive is in `faults`.
+clock's rising edge while the panel is selected: SPI modes 0 and 3. What a panel would not forgive is in `faults`. Where
+the stamps mean nothing (not `timed`), everything comes a second after what was before.
 """
 import re
 
@@ -13,7 +14,9 @@ MS = 1000  # times are in microseconds
 
 
 class Wires:
-    def __init__(self):
+    def __init__(self, timed=True):
+        self.timed = timed
+        self.untimed = 0
         self.level = [0] * 8  # the chip pulls down what nothing drives
         self.rest = b""
         self.attach(None)
@@ -48,9 +51,15 @@ class Wires:
                     if self.bits == 1:
                         self.data = self.level[DC]
                     elif self.bits == 8:
-                        self.byte(int(seconds + fraction))
+                        self.byte(self.time(seconds + fraction))
             elif line != MOSI:
-                self.other(line, level, int(seconds + fraction))
+                self.other(line, level, self.time(seconds + fraction))
+
+    def time(self, stamp):
+        if self.timed:
+            return int(stamp)
+        self.untimed += 1000 * MS
+        return self.untimed
 
     def byte(self, now):
         if self.data != self.level[DC]:
@@ -74,3 +83,5 @@ class Wires:
                     self.bits = self.value = 0
                 if self.panel:
                     self.panel.reset(level, now)
+            elif self.panel:
+                self.panel.backlight(level)
