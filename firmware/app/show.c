@@ -126,6 +126,14 @@ static void show_words(const struct text_canvas *canvas, const char *text, unsig
     }
 }
 
+/* To the display, and over the line if the other end asked for it. */
+static int show_band(struct app *app, struct hal_display *display, const struct glint_band *band)
+{
+    int result = display->ops->flush(display, band->pixels, band->y, band->rows, band->stride);
+    remote_band(app, band);
+    return result;
+}
+
 /* A picture without a scene: words on the display's test, or on black. */
 static int show_plain(struct app *app, struct hal_display *display)
 {
@@ -154,7 +162,7 @@ static int show_plain(struct app *app, struct hal_display *display)
             if (app->control.menu)
                 menu_draw(app, &canvas);
         }
-        result = display->ops->flush(display, band.pixels, band.y, band.rows, band.stride);
+        result = show_band(app, display, &band);
     }
     return result;
 }
@@ -174,7 +182,7 @@ static int show_scene(struct app *app, struct hal_display *display)
         spent_us += clock_us() - begin;
         app->buttons |= input_buttons();
         show_overlay(app, &band);
-        result = display->ops->flush(display, band.pixels, band.y, band.rows, band.stride);
+        result = show_band(app, display, &band);
         begin = clock_us();
     }
     app->draw_us = spent_us;
@@ -185,10 +193,12 @@ int show_frame(struct app *app)
 {
     struct hal_display *display = app->board->display;
     int result = display->ops->frame_begin ? display->ops->frame_begin(display, 0, 0) : 0;
+    remote_begin(app);
     if (!result)
         result = app->control.test || app->problem ? show_plain(app, display) : show_scene(app, display);
     if (!result && display->ops->frame_end)
         result = display->ops->frame_end(display);
+    remote_end(app);
     app->sent = show_panel(app) ? show_panel(app)->sent : 0;
     return result;
 }

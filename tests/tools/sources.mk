@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # What there is to build.
-PARTS := fixed scene geometry plan shade raster
+PARTS := fixed scene geometry plan shade raster stream
 CORE_SRC := $(wildcard firmware/*.c $(PARTS:%=firmware/%/*.c))
 # Of every bare image; then what machine.h asks for: semihost.c, or uart.c and a machine's.
 CORTEXM_HAL := $(addprefix hal/cortexm/,start.c fault.c stack.c mem.c)
