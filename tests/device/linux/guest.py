@@ -23,7 +23,7 @@ DEVICE = re.compile(rb":pl061_set_output (\S+) ")
 class Guest:
     """A running handheld. Use it in a `with`."""
 
-    def __init__(self, kernel, folder, counted=None, kernel_options=""):
+    def __init__(self, kernel, folder, counted=None, kernel_options="", traced=True):
         self.folder = tempfile.mkdtemp()
         self.wires = Wires(counted is None)
         self.heard = b""
@@ -40,10 +40,11 @@ class Guest:
         self.vm = subprocess.Popen(
             ["qemu-system-arm", "-M", "virt", "-cpu", "cortex-a7", "-m", "256", "-nodefaults", "-display", "none",
              "-no-reboot", "-accel", "tcg", "-serial", "stdio", "-chardev", f"socket,id=qtest,path={self.folder}/qtest",
-             "-qtest", "chardev:qtest", "-qtest-log", "none", "-trace", "pl061_set_output", "-msg", "timestamp=on",
-             "-D", pipe, "-kernel", kernel, "-initrd", f"{folder}/initrd.gz", "-dtb", f"{folder}/guest.dtb", "-append",
+             "-qtest", "chardev:qtest", "-qtest-log", "none", "-msg", "timestamp=on", "-D", pipe, "-kernel", kernel,
+             "-initrd", f"{folder}/initrd.gz", "-dtb", f"{folder}/guest.dtb", "-append",
              f"console=ttyAMA0 quiet loglevel=1 panic=-1 rdinit=/init {kernel_options}"] +
-            (["-icount", f"shift={counted},sleep=off"] if counted is not None else []),
+            (["-icount", f"shift={counted},sleep=off"] if counted is not None else []) +
+            (["-trace", "pl061_set_output"] if traced else []),
             stdin=subprocess.PIPE, stdout=subprocess.PIPE)
         self.qtest, _ = server.accept()
         self.qtest.setblocking(False)

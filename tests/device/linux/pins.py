@@ -9,7 +9,8 @@ import re
 
 SCK, MOSI, CS, KEY_A, DC, RESET, BACKLIGHT, KEY_B = range(8)
 NAMES = {RESET: "reset", BACKLIGHT: "backlight"}
-CHANGE = re.compile(rb"@(\d+)\.(\d{6}):pl061_set_output \S+ setting output (\d) to (\d)")
+# All but the clock's falling edges, which say nothing.
+CHANGE = re.compile(rb"@(\d+)\.(\d{6}):pl061_set_output \S+ setting output (0 to 1|[1-7] to \d)")
 MS = 1000  # times are in microseconds
 
 
@@ -41,18 +42,19 @@ class Wires:
         listing = self.rest + listing
         end = listing.rfind(b"\n") + 1
         self.rest = listing[end:]
-        for seconds, fraction, line, level in CHANGE.findall(listing[:end]):
-            line, level = line[0] - 48, level[0] - 48
-            self.level[line] = level
-            if line == SCK:
-                if level and not self.level[CS]:
+        for seconds, fraction, change in CHANGE.findall(listing[:end]):
+            if change == b"0 to 1":
+                if not self.level[CS]:
                     self.value = self.value << 1 | self.level[MOSI]
                     self.bits += 1
                     if self.bits == 1:
                         self.data = self.level[DC]
                     elif self.bits == 8:
                         self.byte(self.time(seconds + fraction))
-            elif line != MOSI:
+                continue
+            line, level = change[0] - 48, change[-1] - 48
+            self.level[line] = level
+            if line != MOSI:
                 self.other(line, level, self.time(seconds + fraction))
 
     def time(self, stamp):
