@@ -153,6 +153,10 @@ int settings_read(struct settings *settings, int argc, char **argv)
         found = found == 'h' ? OPTION_HELP : found - 1;
         if (found < 0 || found >= OPTIONS || count == ARGUMENTS)
             return SETTINGS_BAD_USAGE;
+        if (found == OPTION_HELP) { /* whatever the board file is like */
+            settings->task = SETTINGS_HELP;
+            return -1;
+        }
         given[count].option = found;
         given[count++].text = optarg;
         if (found == OPTION_BOARD)

@@ -177,6 +177,16 @@ static void boards_files_are_good(void **state)
     }
 }
 
+static void help_is_there_whatever_the_board_file(void **state)
+{
+    (void)state;
+    assert_int_equal(reads("--board /nowhere --help"), -1);
+    assert_int_equal(settings.task, SETTINGS_HELP);
+    assert_string_equal(told, "");
+    assert_int_equal(reads("--board /dev/null --list"), -1);
+    assert_int_equal(settings.task, SETTINGS_LIST);
+}
+
 static void a_command_line_overrides_its_board_file(void **state)
 {
     (void)state;
@@ -241,6 +251,7 @@ int main(void)
         cmocka_unit_test(values_that_will_not_do_are_refused_with_what_would),
         cmocka_unit_test(what_is_needed_is_asked_for),
         cmocka_unit_test(boards_files_are_good),
+        cmocka_unit_test(help_is_there_whatever_the_board_file),
         cmocka_unit_test(a_command_line_overrides_its_board_file),
         cmocka_unit_test(a_bad_board_file_is_told_with_its_line),
         cmocka_unit_test(hertz_have_fractions_and_units),
