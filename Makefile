@@ -40,11 +40,12 @@ HOST_OBJ := $(HOST_SRC:%.c=$(BUILD)/obj/%.o)
 CORE_LIB := $(BUILD)/libglint.a
 HOST_LIB := $(BUILD)/libhost.a
 GLINT := $(BUILD)/glint
+VIEW := $(BUILD)/glint-view
 UNIT_BIN := $(UNIT_SRC:tests/%.c=$(BUILD)/tests/%)
 EXHAUSTIVE_BIN := $(EXHAUSTIVE_SRC:tests/%.c=$(BUILD)/tests/%)
 
 # `make deps-demo all` installs first, also with -j.
-all: | $(filter deps-demo,$(MAKECMDGOALS)) ## Build the command line tool, build/glint
+all: | $(filter deps-demo,$(MAKECMDGOALS)) ## Build the command line tools, build/glint and build/glint-view
 	$(Q)DEPS=manual tests/tools/deps.sh demo || { echo "'make demo' installs them itself" >&2; exit 1; }
 	$(Q)$(MAKE) --no-print-directory tool
 
@@ -93,6 +94,9 @@ report: deps-test ## Pictures, errors and costs of every method on every scene, 
 
 bench-setup: deps-test ## The papers' quadratic set-ups: operations, instructions, seconds; writes build/bench/setup.csv
 	$(Q)$(MAKE) --no-print-directory bench-setup-table
+
+bench-stream: deps-test ## Bytes a picture of a stream, and instructions to pack it, on Cortex-M0+, M3 and M4
+	$(Q)$(MAKE) --no-print-directory bench-stream-table
 
 figures: deps-test ## Write the README's figures of quality and cost anew
 	$(Q)$(MAKE) --no-print-directory bench-table report-page
@@ -165,10 +169,12 @@ $(CORE_LIB) $(HOST_LIB):
 	$(call say,AR,$@)
 	$(Q)rm -f $@; $(AR) rcs $@ $^
 
-tool: $(GLINT)
+tool: $(GLINT) $(VIEW)
 	@:
 
-$(GLINT): $(filter %/main.o,$(HOST_OBJ)) $(HOST_LIB) $(CORE_LIB)
+$(GLINT): $(BUILD)/obj/host-tools/glint/main.o $(HOST_LIB) $(CORE_LIB)
+$(VIEW): $(BUILD)/obj/host-tools/view/main.o $(HOST_LIB) $(CORE_LIB)
+$(GLINT) $(VIEW):
 	$(call say,LINK,$@)
 	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ $(PACKAGE_LIBS) -lm -o $@
 
@@ -189,4 +195,4 @@ include tests/tools/faults.mk
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
 .PHONY: all tool demo test test-unit test-cli test-models test-core test-golden test-device test-rp2040 test-linux test-sanitize test-exhaustive \
-	bench bench-setup report figures profile size stack golden lint format check-format deps deps-demo deps-test deps-linux image run flash install clean help
+	bench bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-test deps-linux image run flash install clean help

@@ -75,3 +75,7 @@ linux-flash: linux-known
 	@echo "$(BOARD): runs Linux: 'make BOARD=$(BOARD) install' on it" >&2; exit 2
 
 .PHONY: linux-known linux-image linux-install linux-flash
+
+# A libgpiod of the tests' own stands where <gpiod.h> is asked for.
+$(BUILD)/tests/unit/test_linux_v1: HOST_FLAGS += -Itests/unit/gpiod_v1
+$(BUILD)/tests/unit/test_linux_v2: HOST_FLAGS += -Itests/unit/gpiod_v2

@@ -177,8 +177,8 @@ static int options_show(struct settings *settings, enum option_id option, char *
         return options_task(settings, SETTINGS_OFF, text);
     case OPTION_LIST:
         return options_task(settings, SETTINGS_LIST, text);
-    default: /* OPTION_HELP */
-        return options_task(settings, SETTINGS_HELP, text);
+    default: /* OPTION_HELP: read before */
+        return 1;
     }
 }
 

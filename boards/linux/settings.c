@@ -144,6 +144,7 @@ int settings_read(struct settings *settings, int argc, char **argv)
     const char *board = NULL;
     *settings = (struct settings){.refresh = 600, .wires.speed = 32000000};
     app_usual(&settings->start);
+    settings->start.period_us = 1000000 / 60;
     for (int i = 0; i < OPTIONS; i++)
         options[i] = (struct option){options_text[i].name,
                                      options_text[i].value ? required_argument : optional_argument, NULL, i + 1};
@@ -152,6 +153,10 @@ int settings_read(struct settings *settings, int argc, char **argv)
         found = found == 'h' ? OPTION_HELP : found - 1;
         if (found < 0 || found >= OPTIONS || count == ARGUMENTS)
             return SETTINGS_BAD_USAGE;
+        if (found == OPTION_HELP) { /* whatever the board file is like */
+            settings->task = SETTINGS_HELP;
+            return -1;
+        }
         given[count].option = found;
         given[count++].text = optarg;
         if (found == OPTION_BOARD)

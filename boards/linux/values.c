@@ -84,7 +84,8 @@ int values_pin(char *text, struct wires_pin *pin)
     const char *line = text + inverted;
     if (!*line)
         return 0;
-    *pin = strcmp(text, "none") == 0 ? (struct wires_pin){0} : (struct wires_pin){line, (uint8_t)inverted};
+    pin->line = strcmp(text, "none") == 0 ? NULL : line;
+    pin->inverted = (uint8_t)inverted;
     return 1;
 }
 

@@ -29,6 +29,7 @@
 
 #include "app/control.h"
 #include "app/program_scene.h"
+#include "app/remote.h"
 #include "app/text.h"
 #include "boards/board.h"
 
@@ -36,6 +37,7 @@
 struct app {
     const struct board *board;
     struct control control;
+    struct remote remote;
     const char *problem; /* why there is no picture, or null */
     struct glint_frame frame;
     uint32_t buttons; /* seen while the last picture was drawn: what is pressed shortly is not missed */

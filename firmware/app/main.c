@@ -6,8 +6,11 @@
 #include "cortexm/machine.h"
 #include "cortexm/stack.h"
 #include "input.h"
+#include "serial.h"
 
-#define MAIN_PERIOD_US 16667u  /* a picture, and a look at the buttons: longer than a key bounces */
+/* A picture, and a look at the buttons: longer than a key bounces, and a little less than pictures of a display at 60
+ * Hz are apart, whose tearing signal then sets the pace. */
+#define MAIN_PERIOD_US 16000u
 #define MAIN_RATE_US   500000u /* over which the pictures a second are counted */
 
 struct main_state {
@@ -67,6 +70,23 @@ static int main_show(struct app *app)
     return main_open(app->board) == 0 ? error : MAIN_GONE;
 }
 
+static int main_send(void *context, const void *bytes, size_t size)
+{
+    (void)context;
+    serial_write(bytes, (uint32_t)size);
+    return 0;
+}
+
+/* What the other end of the serial line wants. */
+static unsigned main_hear(struct app *app)
+{
+    uint8_t bytes[STREAM_HEADER];
+    unsigned effect = 0;
+    for (uint32_t count; (count = serial_read(bytes, sizeof bytes)) != 0;)
+        effect |= remote_hear(app, bytes, count);
+    return effect;
+}
+
 /* X where it is linked, else the first. */
 static uint16_t main_first_method(void)
 {
@@ -98,11 +118,15 @@ static int main_loop(struct main_state *state, const struct app_start *start)
             return 0;
         if (start->step_us)
             elapsed = state->shown ? start->step_us : 0;
+        effect |= main_hear(app);
+        buttons |= remote_buttons(&app->remote, now - state->last_us);
         effect |= control_step(&app->control, buttons, elapsed);
         state->last_us = now;
         app->buttons = 0;
-        if (effect & CONTROL_READY)
+        if (effect & CONTROL_READY) {
             show_ready(app);
+            main_count(state, 0); /* others are another number */
+        }
         if (effect & CONTROL_REPAINT)
             show_repaint(app);
         main_count(state, effect & CONTROL_DRAW);
@@ -125,7 +149,7 @@ static int main_loop(struct main_state *state, const struct app_start *start)
 
 int app_run(const struct board *board, const struct app_start *start)
 {
-    struct main_state state = {.app = {.board = board, .control = start->control}};
+    struct main_state state = {.app = {.board = board, .control = start->control, .remote.stream.write = main_send}};
     if (main_open(board) != 0)
         return 3;
     crash_show(board);

@@ -58,7 +58,6 @@ void show_ready(struct app *app)
     struct glint_config config = show_config(app);
     const struct program_scene *scene = app_scene(app);
     app->problem = 0;
-    app->rate = 0;
     if (glint_scene_check(scene->blob, *scene->length) != 0) {
         app->problem = glint_scene_problem(scene->blob, *scene->length);
         return;
@@ -127,6 +126,14 @@ static void show_words(const struct text_canvas *canvas, const char *text, unsig
     }
 }
 
+/* To the display, and over the line if the other end asked for it. */
+static int show_band(struct app *app, struct hal_display *display, const struct glint_band *band)
+{
+    int result = display->ops->flush(display, band->pixels, band->y, band->rows, band->stride);
+    remote_band(app, band);
+    return result;
+}
+
 /* A picture without a scene: words on the display's test, or on black. */
 static int show_plain(struct app *app, struct hal_display *display)
 {
@@ -155,7 +162,7 @@ static int show_plain(struct app *app, struct hal_display *display)
             if (app->control.menu)
                 menu_draw(app, &canvas);
         }
-        result = display->ops->flush(display, band.pixels, band.y, band.rows, band.stride);
+        result = show_band(app, display, &band);
     }
     return result;
 }
@@ -175,7 +182,7 @@ static int show_scene(struct app *app, struct hal_display *display)
         spent_us += clock_us() - begin;
         app->buttons |= input_buttons();
         show_overlay(app, &band);
-        result = display->ops->flush(display, band.pixels, band.y, band.rows, band.stride);
+        result = show_band(app, display, &band);
         begin = clock_us();
     }
     app->draw_us = spent_us;
@@ -186,10 +193,12 @@ int show_frame(struct app *app)
 {
     struct hal_display *display = app->board->display;
     int result = display->ops->frame_begin ? display->ops->frame_begin(display, 0, 0) : 0;
+    remote_begin(app);
     if (!result)
         result = app->control.test || app->problem ? show_plain(app, display) : show_scene(app, display);
     if (!result && display->ops->frame_end)
         result = display->ops->frame_end(display);
+    remote_end(app);
     app->sent = show_panel(app) ? show_panel(app)->sent : 0;
     return result;
 }

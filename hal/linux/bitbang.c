@@ -34,7 +34,7 @@ int bitbang_send(struct bitbang *bitbang, const uint8_t *bytes, uint32_t count, 
     struct gpio *gpio = &bitbang->gpio;
     int result = bitbang->selects ? gpio_set(gpio, rest) : 0;
     for (uint32_t i = 0; i < count && !result; i++)
-        for (unsigned bit = 8; bit-- && !result;) {
+        for (int bit = 7; bit >= 0 && !result; bit--) {
             uint32_t data = bytes[i] >> bit & 1 ? MOSI : 0;
             result = gpio_set(gpio, data | lead);
             if (!result)

@@ -88,7 +88,7 @@ int gpio_get(struct gpio *gpio, uint32_t *levels)
 
 int gpio_edge(struct gpio *gpio, unsigned *index, int *level)
 {
-    struct gpiod_line_bulk bulk = gpio_bulk(gpio), ready;
+    struct gpiod_line_bulk bulk = gpio_bulk(gpio), ready = {0};
     struct gpiod_line_event event;
     int result = gpiod_line_event_wait_bulk(&bulk, &(const struct timespec){0}, &ready);
     if (result <= 0)

@@ -167,7 +167,9 @@ static int wires_take(struct wires *wires, const struct wires_config *config)
     wires->dc = wires_line(wires, &config->dc, lines, &count);
     wires->reset = wires_line(wires, &config->reset, lines, &count);
     wires->backlight = wires_line(wires, &config->backlight, lines, &count);
-    return pins_take(&wires->control, config->chip, lines, count, GPIO_OUTPUTS, wires->inverted, &wires->problem);
+    int error = pins_take(&wires->control, config->chip, lines, count, GPIO_OUTPUTS, wires->inverted, &wires->problem);
+    wires->taken = !error;
+    return error;
 }
 
 static int wires_begin(struct wires *wires)
@@ -220,23 +222,29 @@ static void wires_end(struct wires *wires)
     wires->threaded = 0;
 }
 
+/* The light first; twice, as it is the last that can be done. */
+static int wires_safe(struct wires *wires)
+{
+    uint32_t light = wires->backlight >= 0 ? 1u << wires->backlight : 0;
+    int dark = 0, reset = 0;
+    for (int i = 0; i < 2; i++) {
+        dark = gpio_set(&wires->control, wires->inverted ^ (wires->levels & ~light));
+        reset = gpio_set(&wires->control, wires->inverted);
+        if (!reset)
+            return 0;
+    }
+    return problem_set(&wires->problem, "GPIO lines of '%s': %s: the panel may be lit", wires->control.label,
+                       strerror(dark ? -dark : -reset));
+}
+
 int wires_close(struct wires *wires)
 {
-    int error = 0;
     if (wires->threaded)
         wires_end(wires);
-    if (wires->control.count) {
-        /* Whatever the levels are thought to be; the light first. */
-        int dark = wires->backlight >= 0
-                       ? gpio_set(&wires->control, wires->inverted ^ (wires->levels & ~(1u << wires->backlight)))
-                       : 0;
-        int reset = gpio_set(&wires->control, wires->inverted);
-        if (dark || reset)
-            error = problem_set(&wires->problem, "GPIO lines of '%s': %s: the panel may be lit", wires->control.label,
-                                strerror(reset ? -reset : -dark));
-    }
+    int error = wires->taken ? wires_safe(wires) : 0;
     gpio_close(&wires->control);
     bitbang_close(&wires->bitbang);
     spidev_close(&wires->spi);
+    wires->taken = 0;
     return error;
 }

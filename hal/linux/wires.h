@@ -44,7 +44,7 @@ struct wires {
     struct gpio control;
     uint32_t levels, inverted;   /* of the control lines */
     int8_t dc, reset, backlight; /* their bits; -1: none */
-    uint8_t banged, threaded;
+    uint8_t banged, taken, threaded;
 
     pthread_t thread;
     pthread_mutex_t mutex;

@@ -5,6 +5,7 @@
 #include "glint/output.h"
 #include "glint/progress.h"
 #include "glint/renderer.h"
+#include "glint/streamer.h"
 #include "glint/tally.h"
 
 #include <getopt.h>
@@ -20,6 +21,9 @@ static const char render_help[] =
     "drawn),\n"
     "                         a folder with '/' at its end (numbered PNG files), or - for standard output\n"
     "      --output-format F  " OUTPUT_FORMATS ", whatever the ending\n"
+    "      --stream FILE      instead of -o: as a device sends it to glint-view (firmware/stream/PROTOCOL.md); - for\n"
+    "                         standard output\n"
+    "      --key N            of a stream: a picture in N refers to none before it, 1..1000000, default 60\n"
     "      --method M         one of `glint methods`, default x\n"
     "      --subdivide MODE   with --method subdivide: centre (default), regular, highlight, recursive, hybrid, "
     "hybrid-x\n"
@@ -30,7 +34,7 @@ static const char render_help[] =
     "      --power P          of the highlight: table (default), exact, or free of powers by squarings: 4, 8, 16\n"
     "      --perspective      the method's perspective-correct variant\n"
     "      --size WxH         in pixels, each 1..2048; the default is the camera's\n"
-    "      --frames N         1..1000000; default 1, for .apng, .y4m and folders one loop of the animation\n"
+    "      --frames N         1..1000000; default 1, for .apng, .y4m, folders and streams one loop of the animation\n"
     "      --fps F            frames a second, 1..1000, default 30; frame i shows the moment i * 1000 / F ms\n"
     "      --time MS          the moment of the first frame in milliseconds, default 0\n"
     "      --turn YAW,PITCH   turns each object about its own origin, its front to the right and up, in degrees; "
@@ -50,10 +54,11 @@ static const char render_help[] =
 struct render {
     struct renderer renderer;
     struct output output;
+    struct streamer streamer;
     struct hashes expected;
     struct tally tally;
     struct pack_options pack;
-    const char *path, *output_format, *expect, *method, *subdivide;
+    const char *scene, *path, *output_format, *expect, *method, *subdivide;
     uint32_t frames, rate, time_ms, band_rows;
     uint16_t yaw, pitch;
     bool stats, json, hash, progress, perspective;
@@ -85,6 +90,8 @@ enum render_option {
     RENDER_HASH,
     RENDER_EXPECT,
     RENDER_PROGRESS,
+    RENDER_STREAM,
+    RENDER_KEY,
 };
 
 static const struct option render_options[] = {{"output", required_argument, NULL, RENDER_OUTPUT},
@@ -111,6 +118,8 @@ static const struct option render_options[] = {{"output", required_argument, NUL
                                                {"hash", no_argument, NULL, RENDER_HASH},
                                                {"expect", required_argument, NULL, RENDER_EXPECT},
                                                {"progress", no_argument, NULL, RENDER_PROGRESS},
+                                               {"stream", required_argument, NULL, RENDER_STREAM},
+                                               {"key", required_argument, NULL, RENDER_KEY},
                                                {"help", no_argument, NULL, RENDER_HELP},
                                                {0}};
 
@@ -149,6 +158,8 @@ static bool render_value(struct render *render, int option, const char *text)
         return cli_number(text, 1, 1000000, &render->frames);
     case RENDER_FPS:
         return cli_number(text, 1, 1000, &render->rate);
+    case RENDER_KEY:
+        return cli_number(text, 1, 1000000, &render->streamer.key_every);
     case RENDER_TIME:
         return cli_number(text, 0, UINT32_MAX, &render->time_ms);
     case RENDER_TURN:
@@ -177,6 +188,9 @@ static void render_flag(struct render *render, int option)
     switch (option) {
     case RENDER_OUTPUT:
         render->path = optarg;
+        break;
+    case RENDER_STREAM:
+        render->streamer.path = optarg;
         break;
     case RENDER_OUTPUT_FORMAT:
         render->output_format = optarg;
@@ -232,6 +246,7 @@ static int render_parse(struct render *render, int argc, char **argv)
         case '?':
             return CLI_BAD_USAGE;
         case RENDER_OUTPUT:
+        case RENDER_STREAM:
         case RENDER_OUTPUT_FORMAT:
         case RENDER_EXPECT:
         case RENDER_SUBDIVIDE:
@@ -249,10 +264,13 @@ static int render_parse(struct render *render, int argc, char **argv)
     }
     if (argc - optind != 1)
         return cli_usage(render_name, "one scene or model is needed");
-    if (!render->path && !render->hash && !render->expect && !render->stats)
-        return cli_usage(render_name, "nothing to do: give -o, --hash, --expect or --stats");
-    if (render->path && strcmp(render->path, "-") == 0 && (render->hash || render->stats))
-        return cli_usage(render_name, "--hash and --stats print where -o - writes the picture");
+    const char *path = render->path ? render->path : render->streamer.path;
+    if (render->path && render->streamer.path)
+        return cli_usage(render_name, "give -o or --stream, not both");
+    if (!path && !render->hash && !render->expect && !render->stats)
+        return cli_usage(render_name, "nothing to do: give -o, --stream, --hash, --expect or --stats");
+    if (path && strcmp(path, "-") == 0 && (render->hash || render->stats))
+        return cli_usage(render_name, "--hash and --stats print where the picture is written");
     return render_choose_method(render);
 }
 
@@ -266,7 +284,7 @@ static void render_defaults(struct render *render, const struct scene_header *sc
     }
     bool whole = render->band_rows == 0 || render->band_rows > config->height;
     config->band_rows = whole ? config->height : (uint16_t)render->band_rows;
-    if (render->frames == 0 && render->path && render->output.animates)
+    if (render->frames == 0 && (render->streamer.path || (render->path && render->output.animates)))
         render->frames = (uint32_t)(((uint64_t)scene->duration_ms * render->rate + 500) / 1000);
     if (render->frames == 0)
         render->frames = 1;
@@ -277,20 +295,39 @@ static uint32_t render_moment(const struct render *render, uint32_t index)
     return render->time_ms + (uint32_t)((uint64_t)index * 1000 / render->rate);
 }
 
-static int render_frame(struct render *render, uint32_t index)
+/* Draws a frame to where it goes, if anywhere: an exit code. */
+static int render_picture(struct render *render, uint32_t index, uint32_t *crc)
 {
     struct hal_display *display = render->path ? &render->output.host.display : NULL;
-    uint32_t time = render_moment(render, index), crc = 0;
-    bool hashing = render->hash || render->expect;
-    int result = 0, code = CLI_DONE;
+    uint32_t time = render_moment(render, index);
+    int result = 0;
     if (display && display->ops->frame_begin)
         result = display->ops->frame_begin(display, index, render_moment(render, index + 1) - time);
     if (!result)
-        result = renderer_draw(&render->renderer, time, display, hashing ? &crc : NULL, &render->tally.milliseconds);
+        result = renderer_draw(&render->renderer, time, display, crc, &render->tally.milliseconds);
     if (!result && display && display->ops->frame_end)
         result = display->ops->frame_end(display);
-    if (result)
-        return output_step(&render->output, result);
+    return output_step(&render->output, result);
+}
+
+static int render_message(struct render *render, uint32_t index, uint32_t *crc)
+{
+    struct streamer *streamer = &render->streamer;
+    uint32_t time = render_moment(render, index);
+    double before = render->tally.milliseconds;
+    int code = streamer_begin(streamer, &render->renderer, index, time);
+    if (!code)
+        code = streamer_step(
+            streamer, renderer_draw(&render->renderer, time, &streamer->display, crc, &render->tally.milliseconds));
+    return code ? code : streamer_end(streamer, &render->renderer, render->tally.milliseconds - before);
+}
+
+static int render_frame(struct render *render, uint32_t index)
+{
+    uint32_t crc = 0, *hash = render->hash || render->expect ? &crc : NULL;
+    int code = render->streamer.path ? render_message(render, index, hash) : render_picture(render, index, hash);
+    if (code)
+        return code;
     tally_add(&render->tally, &render->renderer.frame.stats);
     if (render->hash)
         printf("%u %08x\n", (unsigned)index, (unsigned)crc);
@@ -307,13 +344,16 @@ static int render_frames(struct render *render)
     if (!code && render->path)
         code = output_open(&render->output, config->width, config->height, (enum hal_pixel_format)config->format,
                            render->frames, render->rate);
+    if (!code && render->streamer.path)
+        code = streamer_open(&render->streamer, &render->renderer, render->scene);
     progress_begin(&progress, render->progress);
     for (uint32_t i = 0; !code && i < render->frames; i++) {
         code = cli_interrupted() ? CLI_IO : render_frame(render, i);
         progress_step(&progress, i + 1, render->frames);
     }
     progress_end(&progress);
-    int closed = output_close(&render->output, code == CLI_DONE);
+    int closed = render->streamer.path ? streamer_close(&render->streamer, code == CLI_DONE)
+                                       : output_close(&render->output, code == CLI_DONE);
     code = code ? code : closed;
     if (!code && render->stats)
         tally_print(&render->tally, &render->renderer, render->json);
@@ -322,7 +362,8 @@ static int render_frames(struct render *render)
 
 int cmd_render(int argc, char **argv)
 {
-    struct render render = {.rate = 30, .method = "x", .renderer.config.format = GLINT_RGB888};
+    struct render render = {
+        .rate = 30, .method = "x", .renderer.config.format = GLINT_RGB888, .streamer.key_every = 60};
     struct pack_result packed = {0};
     argv[0] = (char *)render_name;
     int code = render_parse(&render, argc, argv);
@@ -332,7 +373,8 @@ int cmd_render(int argc, char **argv)
         return code;
     if (render.expect && (code = hashes_read(render.expect, &render.expected)))
         return code;
-    code = pack_load(argv[optind], &render.pack, &packed);
+    render.scene = argv[optind];
+    code = pack_load(render.scene, &render.pack, &packed);
     if (!code) {
         render_defaults(&render, packed.scene);
         code = renderer_open(&render.renderer, packed.scene);

@@ -44,6 +44,7 @@ GOLDEN_SMALL_C := tests/golden/golden.c $(SCENE_DIR)/golden_small_list.c $(SCENE
 BENCH_C := tests/device/bench.c $(SCENE_DIR)/bench_list.c $(BENCH_SCENES:%=$(SCENE_DIR)/%.c)
 REPORT_C := tests/device/bench.c $(SCENE_DIR)/report_list.c $(REPORT_SCENES:%=$(SCENE_DIR)/%.c)
 SETUP_C := tests/setups/bench.c $(SETUP_SRC)
+STREAM_C := tests/device/stream.c $(SCENE_DIR)/bench_list.c $(BENCH_SCENES:%=$(SCENE_DIR)/%.c)
 
 define cpu_rules
 ARM_OBJ_$(1) := $$(CORE_SRC:%.c=$(BUILD)/$(1)/%.o)
@@ -68,6 +69,7 @@ endef
 $(foreach c,$(CPUS),$(eval $(call image_rule,$(c),golden,$(GOLDEN_C),$(MPS2_HAL),$(MPS2_LINK))))
 $(foreach c,$(CPUS),$(eval $(call image_rule,$(c),bench,$(BENCH_C),$(MPS2_HAL),$(MPS2_LINK))))
 $(foreach c,$(REPORT_CPUS),$(eval $(call image_rule,$(c),report,$(REPORT_C),$(MPS2_HAL),$(MPS2_LINK))))
+$(foreach c,$(CPUS),$(eval $(call image_rule,$(c),stream,$(STREAM_C),$(MPS2_HAL),$(MPS2_LINK))))
 $(foreach c,$(CPUS),$(eval $(call image_rule,$(c),setup,$(SETUP_C),$(MPS2_HAL),$(MPS2_LINK))))
 $(eval $(call image_rule,m0,golden,$(GOLDEN_SMALL_C),$(MICROBIT_HAL),$(MICROBIT_LINK)))
 

@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: MIT
 # What there is to build.
-PARTS := fixed scene geometry plan shade raster
+PARTS := fixed scene geometry plan shade raster stream
 CORE_SRC := $(wildcard firmware/*.c $(PARTS:%=firmware/%/*.c))
 # Of every bare image; then what machine.h asks for: semihost.c, or uart.c and a machine's.
 CORTEXM_HAL := $(addprefix hal/cortexm/,start.c fault.c stack.c mem.c)
 SETUP_SRC := $(wildcard tests/setups/setup_*.c)
-HOST_SRC := $(wildcard hal/host/*.c hal/panels/*.c host-tools/*/*.c) $(SETUP_SRC) $(filter-out %/main.c,$(wildcard firmware/app/*.c))
+# Of the program for Linux, what wants neither libgpiod nor a device.
+LINUX_PARTS := $(filter-out hal/linux/gpio_v% %/kernel.c %/main.c,$(wildcard hal/linux/*.c boards/linux/*.c))
+HOST_SRC := $(wildcard hal/host/*.c hal/panels/*.c host-tools/*/*.c) $(SETUP_SRC) $(LINUX_PARTS) \
+	$(filter-out %/main.c %/start.c,$(wildcard firmware/app/*.c))
 UNIT_SRC := $(wildcard tests/unit/test_*.c)
 EXHAUSTIVE_SRC := $(wildcard tests/exhaustive/*.c)
 CLI_TESTS := $(wildcard tests/cli/*.sh)

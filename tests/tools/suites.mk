@@ -19,7 +19,7 @@ suite-exhaustive: $(EXHAUSTIVE_BIN)
 	@status=0; for program in $^; do \
 		if $$program; then echo "ok $$program"; else echo "FAIL $$program"; status=1; fi; done; exit $$status
 
-suite-cli: $(GLINT)
+suite-cli: $(GLINT) $(VIEW)
 	@status=0; for script in $(CLI_TESTS); do echo "# $$script"; bash $$script $(GLINT) || status=1; done; exit $$status
 
 suite-models: $(GLINT)
@@ -38,13 +38,14 @@ suite-golden: $(SCENE_C)
 	done; exit $$status
 
 suite-device: $(foreach c,$(CPUS),$(BUILD)/$(c)/golden.elf) $(BUILD)/m0/golden.elf $(BUILD)/lm3s6965evb/app.elf $(BUILD)/lm3s6965evb/faults.elf \
-		$(GLINT)
+		$(GLINT) $(VIEW)
 	@status=0; \
 	tests/tools/check_golden.sh "cortex-m0 on microbit" small $(call QEMU,m0) -kernel $(BUILD)/m0/golden.elf || status=1; \
 	$(foreach c,$(CPUS),tests/tools/check_golden.sh "$(subst -mcpu=,,$(CPU_$(c))) on $(subst -M ,,$(QEMU_$(c)))" all \
 		$(call QEMU,$(c)) -kernel $(BUILD)/$(c)/golden.elf || status=1;) \
 	python3 tests/device/test_faults.py $(BUILD)/lm3s6965evb/faults.elf || status=1; \
-	python3 tests/device/test_lm3s6965evb.py $(BUILD)/lm3s6965evb/app.elf $(GLINT) || status=1; exit $$status
+	python3 tests/device/test_lm3s6965evb.py $(BUILD)/lm3s6965evb/app.elf $(GLINT) || status=1; \
+	python3 tests/device/test_remote.py $(BUILD)/lm3s6965evb/app.elf $(GLINT) $(VIEW) || status=1; exit $$status
 
 suite-docs: $(CORE_LIB) $(SCENE_C) $(BENCH_ELF)
 	@CC="$(CC)" tests/tools/readme_example.sh $(CORE_LIB) $(SCENE_DIR)
@@ -52,7 +53,7 @@ suite-docs: $(CORE_LIB) $(SCENE_C) $(BENCH_ELF)
 suite-sanitize: $(SCENE_C)
 	@$(MAKE) BUILD=$(BUILD)/sanitize CC=clang OPT=-O1 CFLAGS="$(SANITIZE)" CORE_CFLAGS="$(SANITIZE_CORE)" suite-sanitized
 
-suite-sanitized: $(BUILD)/golden $(UNIT_BIN) $(GLINT)
+suite-sanitized: $(BUILD)/golden $(UNIT_BIN) $(GLINT) $(VIEW)
 	@status=0; $(MAKE) suite-unit || status=1; $(MAKE) suite-cli || status=1; \
 	tests/tools/check_golden.sh "sanitizers on this machine" all $(BUILD)/golden || status=1; exit $$status
 
@@ -102,6 +103,10 @@ bench-setup-table: $(CPUS:%=$(BUILD)/bench/setup-%.csv) $(BUILD)/bench/setup $(B
 	@tests/tools/bench_setup.sh $(BUILD)/bench/setup_count $(BUILD)/bench/setup $(BUILD)/bench/setup_real \
 		$(foreach c,$(CPUS),$(c)=$(BUILD)/bench/setup-$(c).csv)
 
+bench-stream-table: $(CPUS:%=$(BUILD)/%/stream.elf)
+	@echo "cpu, scene, format, codec, bytes a 240x240 picture, instructions to pack and check it"
+	@$(foreach c,$(CPUS),$(call QEMU,$(c)) -icount shift=0 -kernel $(BUILD)/$(c)/stream.elf | sed 's/^/$(c),/; s/,/, /g' &&) :
+
 profile-run: $(BENCH_ELF)
 	@tests/tools/profile.sh "$(call QEMU,$(or $(CPU),m4)) -kernel" $(BUILD)/$(or $(CPU),m4)/bench.elf \
 		$(or $(RENDER),bench-torus288 x) $(or $(BANDS),1) $(or $(TABLES),1) $(if $(FIRST),1,2)
@@ -127,5 +132,5 @@ lint-run:
 		$(PACKAGE_FLAGS) || status=1; exit $$status
 
 .PHONY: suite-unit suite-exhaustive suite-cli suite-models suite-core suite-golden suite-device suite-docs suite-sanitize \
-	suite-sanitized suite-bench bench-table bench-setup-table report-page profile-run size-table stack-table golden-update lint-run \
+	suite-sanitized suite-bench bench-table bench-setup-table bench-stream-table report-page profile-run size-table stack-table golden-update lint-run \
 	always

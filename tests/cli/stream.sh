@@ -1,0 +1,81 @@
+#!/bin/bash
+# SPDX-License-Identifier: MIT
+# glint render --stream and glint-view: pictures through a file and a pipe are those that render writes itself.
+. tests/cli/check.inc
+demo=$scenes/demo.json
+view=$glint-view
+decoder=$(dirname "$(dirname "$scenes")")/tests/device
+
+# the same pictures in two folders
+folders() { # NAME A B COUNT
+    local count
+    count=$(find "$2" -name 'frame-*.png' | wc -l)
+    if [ "$count" -eq "$4" ] && diff -rq "$2" "$3" >/dev/null; then say ok "$1"
+    else say FAIL "$1" "$count pictures; $(diff -rq "$2" "$3" | head -n 1)"; fi
+}
+
+fresh
+for format in rgb565 rgb888 grey8 grey4; do
+    frames=(--size 61x45 --frames 5 --fps 10 --format $format --dither)
+    "$glint" render "$demo" "${frames[@]}" -o want-$format/
+    run "$format goes to a stream" 0 "$glint" render "$demo" "${frames[@]}" --band-rows 7 --stream $format.stream
+    run 'and comes back' 0 "$view" file:$format.stream --headless --dump got-$format
+    folders 'bit for bit' got-$format want-$format 5
+    run 'also through a pipe, each a key frame' 0 sh -c "'$glint' render '$demo' ${frames[*]} --key 1 --stream - |
+        '$view' - --headless --dump piped-$format --frames 5"
+    folders 'as well' piped-$format want-$format 5
+    "$glint" render "$demo" "${frames[@]}" -o $format.raw
+    if python3 - "$decoder" $format.stream $format.raw <<'P'
+import sys
+sys.path.insert(0, sys.argv[1])
+import stream
+with open(sys.argv[2], "rb") as data, open(sys.argv[3], "rb") as raw:
+    sys.exit(b"".join(pixels for _, _, pixels in stream.pictures(data.read())) != raw.read())
+P
+    then say ok 'and by a decoder made from the protocol alone'; else say FAIL 'and by a decoder made from the protocol alone'; fi
+done
+run 'one loop is the default' 0 "$glint" render "$demo" --size 8x8 --fps 5 --stream loop.stream
+run 'of 4 s at 5 frames a second' 0 "$view" file:loop.stream --list
+matches 'that are listed' "$top/out" '^19: 8x8 rgb888, moment 3800 ms, [0-9]+ bytes'
+matches 'and counted' "$top/out" '^20 pictures, [0-9]+ bytes each, 0 lost$'
+run 'names are printed' 0 "$view" file:loop.stream --names --frames 1
+matches 'of the methods' "$top/out" '^method x-perspective$'
+
+fresh
+"$glint" render "$demo" --size 40x40 --frames 6 --key 3 --stream good.stream
+"$glint" render "$demo" --size 40x40 --frames 6 -o want/
+size=$(stat -c %s good.stream)
+{ echo 'text before'; cat good.stream; } >text.stream
+run 'text before a stream is passed over' 0 "$view" file:text.stream --dump text
+folders 'and no picture is missing' text want 6
+{ head -c $((size / 3)) good.stream; printf x; tail -c +$((size / 3 + 2)) good.stream; } >damaged.stream
+run 'a damaged picture is left out' 0 "$view" file:damaged.stream --dump damaged --list
+if grep -qE '^[1-4] pictures?, .* [1-9][0-9]* lost$' "$top/out" && cmp -s damaged/frame-0000.png want/frame-0000.png
+then say ok 'and counted'; else say FAIL 'and counted' "$(tail -n 1 "$top/out")"; fi
+last=$(find damaged -name 'frame-*.png' | sort | tail -n 1)
+same 'the key frame and what follows it are there' "$last" want/frame-0005.png
+run 'fewer pictures than asked for fail' 1 "$view" file:good.stream --frames 7
+matches 'saying how many there were' "$top/err" '^good.stream: only 6 pictures in the stream, 0 lost$'
+head -c $((size / 30)) good.stream >short.stream
+run 'a stream without a whole picture fails' 1 "$view" file:short.stream --dump none
+echo 'no stream' >words
+run 'as does what is none' 1 "$view" file:words
+run 'a missing file is named' 3 "$view" file:nowhere
+matches 'with the reason' "$top/err" '^nowhere: No such file'
+run 'a file is no serial line' 3 "$view" good.stream
+matches 'and is to be named otherwise' "$top/err" 'file:good.stream'
+run 'a folder is no stream' 3 "$view" file:want
+run 'a file is no folder' 3 "$view" file:good.stream --dump words
+run 'a file cannot be asked' 2 "$view" file:good.stream --scene demo
+run 'an input is needed' 2 "$view" --headless
+run 'a number is a number' 2 "$view" file:good.stream --frames 0
+run 'help is printed' 0 "$view" --help
+
+fresh
+run 'render writes a picture or a stream' 2 "$glint" render "$demo" --stream a.stream -o a.png
+run 'hashes do not mix with a stream on standard output' 2 "$glint" render "$demo" --stream - --hash
+run 'a stream that cannot be written is named' 3 "$glint" render "$demo" --stream none/a.stream
+matches 'with the reason' "$top/err" '^none/a.stream: No such file'
+run 'a full device too' 3 "$glint" render "$demo" --stream /dev/full
+interrupted 'a signal takes the stream back' TERM 'a.stream*' "$glint" render "$demo" --frames 100000 --stream a.stream
+finish

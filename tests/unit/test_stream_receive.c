@@ -1,0 +1,112 @@
+/* SPDX-License-Identifier: MIT */
+/* What a device hears: requests as the viewer writes them, and nothing else. */
+#include "stream/receive.h"
+#include "view/port.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "random.h"
+
+static const struct stream_request requests[] = {{STREAM_KEY_PLEASE, 0}, {STREAM_BUTTONS, 0xF6}, {STREAM_METHOD, 19},
+                                                 {STREAM_BUDGET, 255},   {STREAM_SCENE, 3},      {STREAM_PAUSE, 1},
+                                                 {0xC3, 0x534C47F6}};
+enum { COUNT = sizeof requests / sizeof *requests };
+
+/* Pushes bytes: how many requests come, the last in `request`. */
+static unsigned push(struct stream_receiver *r, const uint8_t *bytes, size_t size, struct stream_request *request)
+{
+    unsigned heard = 0;
+    for (size_t i = 0; i < size; i++)
+        heard += (unsigned)stream_receive(r, bytes[i], request);
+    return heard;
+}
+
+static void every_request_is_heard_once(void **state)
+{
+    struct stream_receiver r = {{0}, 0};
+    struct stream_request heard;
+    uint8_t message[STREAM_HEADER];
+    (void)state;
+    for (unsigned i = 0; i < COUNT; i++) {
+        port_message(message, requests[i].type, requests[i].value, (uint16_t)(65535 + i));
+        assert_int_equal(push(&r, message, STREAM_HEADER - 1, &heard), 0);
+        assert_int_equal(push(&r, message + STREAM_HEADER - 1, 1, &heard), 1);
+        assert_int_equal(heard.type, requests[i].type);
+        assert_int_equal(heard.value, requests[i].value);
+    }
+}
+
+static void what_is_before_a_request_does_not_hide_it(void **state)
+{
+    static const uint8_t magic[] = {0xF6, 0x47, 0x4C, 0x53};
+    struct stream_request heard;
+    uint8_t message[STREAM_HEADER], other[STREAM_HEADER];
+    (void)state;
+    for (unsigned i = 0; i < COUNT; i++)
+        for (unsigned size = 0; size < STREAM_HEADER; size++) {
+            struct stream_receiver r = {{0}, 0};
+            port_message(message, requests[i].type, requests[i].value, 5);
+            port_message(other, STREAM_SCENE, size, 4);
+            assert_int_equal(push(&r, other, size, &heard), 0); /* one that was cut off */
+            assert_int_equal(push(&r, magic, size & 3, &heard), 0);
+            assert_int_equal(push(&r, message, STREAM_HEADER, &heard), 1);
+            assert_int_equal(heard.type, requests[i].type);
+            assert_int_equal(heard.value, requests[i].value);
+        }
+}
+
+static void a_flipped_bit_makes_no_request(void **state)
+{
+    struct stream_request heard;
+    uint8_t message[STREAM_HEADER];
+    (void)state;
+    for (unsigned bit = 0; bit < 8 * STREAM_HEADER; bit++) {
+        struct stream_receiver r = {{0}, 0};
+        port_message(message, STREAM_METHOD, 7, 0);
+        message[bit / 8] ^= (uint8_t)(1u << bit % 8);
+        assert_int_equal(push(&r, message, STREAM_HEADER, &heard), 0);
+        message[bit / 8] ^= (uint8_t)(1u << bit % 8);
+        assert_int_equal(push(&r, message, STREAM_HEADER, &heard), 1);
+    }
+}
+
+static void what_a_device_sends_is_no_request(void **state)
+{
+    struct stream_receiver r = {{0}, 0};
+    struct stream_request heard;
+    uint8_t message[STREAM_HEADER];
+    (void)state;
+    for (unsigned type = 0; type < STREAM_KEY_PLEASE; type++) {
+        port_message(message, type, 7, 0);
+        assert_int_equal(push(&r, message, STREAM_HEADER, &heard), 0);
+    }
+}
+
+static void noise_makes_no_request(void **state)
+{
+    struct stream_receiver r = {{0}, 0};
+    struct stream_request heard;
+    (void)state;
+    random_seed(3);
+    for (int i = 0; i < 1000000; i++) {
+        static const uint8_t likely[8] = {0xF6, 0x47, 0x4C, 0x53, 1, 0x81, 0, 0};
+        uint8_t byte = random_between(0, 1) ? likely[i & 7] : (uint8_t)(random_bits() >> 9 & 255);
+        assert_int_equal(stream_receive(&r, byte, &heard), 0);
+        assert_true(r.count < STREAM_HEADER);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_request_is_heard_once),    cmocka_unit_test(what_is_before_a_request_does_not_hide_it),
+        cmocka_unit_test(a_flipped_bit_makes_no_request), cmocka_unit_test(what_a_device_sends_is_no_request),
+        cmocka_unit_test(noise_makes_no_request),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
