@@ -298,21 +298,25 @@ def pattern(guest):
 
 
 def press(guest, line, bounces):
-    """A press and its release, each with bounces that are over within 5 ms; what the program says of it."""
-    for level in (1, 0):
-        for _ in range(20):
+    """A press and its release, each with bounces of 2 ms that are over within 9; what the program says of it. Where the
+    machine under it was too busy to be on time, that was no bouncing, and is done again."""
+    for _ in range(30):
+        longest = 0
+        for level in (1, 0):
             begin = time.monotonic()
             for _ in range(bounces):
                 guest.key(line, level)
+                guest.rest(.002)
                 guest.key(line, 1 - level)
+                guest.rest(.001)
             guest.key(line, level)
-            if time.monotonic() - begin < .005:
-                break
-            guest.key(line, 1 - level)  # this machine was busy: not over in time, to be done again
-            guest.rest(.1)
-        guest.rest(.15)
-    guest.rest(.5)
-    return guest.lines()
+            longest = max(longest, time.monotonic() - begin)
+            guest.rest(.15)
+        guest.rest(.5)
+        said = guest.lines()
+        if longest < .009:
+            break
+    return said
 
 
 def keys(guest):
@@ -320,7 +324,7 @@ def keys(guest):
     number = in_the_background(guest, case, f"{STILL} --keys a=KEY_A,b=KEY_B --keys-high")
     first = guest.until(b"\n", 20)
     verdict(f"it says what is shown: {first}", None if first.startswith("frame demo x ") else f"{first!r}")
-    for bounces in (0, 1, 5):
+    for bounces in (0, 1, 2):
         said = [press(guest, KEY_A, bounces), press(guest, KEY_A, bounces)]
         good = [len(lines) for lines in said] == [1, 1] and all(line.startswith("frame ") for lines in said for line in lines)
         verdict(f"a key with {bounces} bounces at each edge is pressed once: {said}", None if good else "not so")
