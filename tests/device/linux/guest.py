@@ -106,8 +106,8 @@ class Guest:
 
     def lines(self):
         """The whole lines that the console has said."""
-        lines, _, self.heard = self.heard.rpartition(b"\n")
-        return lines.decode(errors="replace").replace("\r", "").splitlines()
+        *lines, self.heard = self.heard.split(b"\n")
+        return [line.decode(errors="replace").replace("\r", "") for line in lines]
 
     def start(self, line):
         self.vm.stdin.write(line.encode() + b"\n")

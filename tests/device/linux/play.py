@@ -44,6 +44,7 @@ class Player:
         self.panel = model(width, height, int(found.get("offset-x", 0)), int(found.get("offset-y", 0)))
         self.guest = Guest(kernel, folder)
         self.options = options
+        self.ended = None  # the program's status
         self.by_lines = found.get("spi") == "gpio"
 
     def __enter__(self):
@@ -58,8 +59,12 @@ class Player:
         self.guest.__exit__()
 
     def lines(self):
-        """What the program has said since; ends the program's run here when it has ended."""
-        return [line.replace("\036", "it ended with ") for line in self.guest.lines()]
+        """What the program has said since; its status behind it, which stays."""
+        said = self.guest.lines()
+        for line in said:
+            if line.startswith("\036"):
+                self.ended = int(line[1:])
+        return [line for line in said if not line.startswith("\036")]
 
     def pixels(self):
         return self.panel.picture(self.turn) or [0] * (self.size[0] * self.size[1])
@@ -77,17 +82,18 @@ def main():
     moments = sorted((int(at) / 1000 + after, KEYS[name.upper()], level) for name, at in presses
                      for after, level in ((0, 1), (HELD_S, 0)))
     with Player(kernel, folder, board, options) as player:
-        while player.panel.dark():
+        while player.panel.dark() and player.ended is None:
             player.guest.listen(1)
             print("".join(line + "\n" for line in player.lines()), end="", flush=True)
         begin = time.monotonic()
-        while (now := time.monotonic() - begin) < int(seconds):
+        while (now := time.monotonic() - begin) < int(seconds) and player.ended is None:
             while moments and moments[0][0] <= now:
                 player.guest.key(*moments.pop(0)[1:])
             player.guest.listen(.02)
             print("".join(line + "\n" for line in player.lines()), end="", flush=True)
         png(picture, player.pixels(), player.size[0], player.greys)
         print(f"{player.guest.wires.bytes} bytes on the wires", *player.faults(), sep="\n")
+        sys.exit(player.ended or 0)
 
 
 if __name__ == "__main__":
