@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 # Sources are found by wildcard: a new file of the renderer, the tools or the tests needs no line here.
-.DEFAULT_GOAL := all
+# `make BOARD=...` alone builds what goes on the board; one with a board.conf runs Linux.
+.DEFAULT_GOAL := $(if $(BOARD),image,all)
+BOARD_SORT := $(if $(wildcard boards/$(BOARD)/board.conf),linux,board)
 MAKEFLAGS += --no-builtin-rules
 .SUFFIXES:
 .DELETE_ON_ERROR:
@@ -52,7 +54,7 @@ demo: deps-demo ## Render the demo (or SCENE=file) into build/demo/
 	$(Q)$(GLINT) demo '$(SCENE)' '$(BUILD)/demo'
 
 test: deps-test ## Run every test; the last line counts them
-	$(Q)tests/tools/run.sh unit cli models core golden device rp2040 docs sanitize bench
+	$(Q)tests/tools/run.sh unit cli models core golden device rp2040 linux docs sanitize bench
 
 test-unit: deps-test ## Unit tests
 	$(Q)tests/tools/run.sh unit
@@ -74,6 +76,9 @@ test-device: deps-test ## The same list on emulated Cortex-M0, M0+, M3 and M4
 
 test-rp2040: deps-test ## Frames on the display wires of an emulated PicoSystem, and their cycles
 	$(Q)tests/tools/run.sh rp2040
+
+test-linux: deps-test ## The Linux boards' program on an emulated handheld, judged at its pins
+	$(Q)tests/tools/run.sh linux
 
 test-sanitize: deps-test ## Unit tests, command line and hashes under clang's sanitizers; firmware/ and hal/ under integer too
 	$(Q)tests/tools/run.sh sanitize
@@ -127,17 +132,21 @@ deps: deps-test ## Install what building and testing need (DEPS=manual only prin
 
 deps-demo: ## Install what building the tool needs: `make deps-demo all` in a CI job
 
-deps-demo deps-test:
+deps-demo deps-test deps-linux:
 	$(Q)tests/tools/deps.sh $(@:deps-%=%)
 
-image: deps-test ## The handheld's program for BOARD=picosystem, or another of boards/: build/<board>/app.elf; METHODS="x duff" links these alone
-	$(Q)$(MAKE) --no-print-directory board-image
+BOARD_DEPS := $(BOARD_SORT:board=test)
+image: deps-$(BOARD_DEPS) ## The handheld's program for BOARD=picosystem, or another of boards/: build/<board>/app.elf; METHODS="x duff" links these alone
+	$(Q)$(MAKE) --no-print-directory $(BOARD_SORT)-image
 
 run: deps-test ## Run it on the emulated BOARD; an RP2040 in a browser (SERVE=1), or SECONDS=3 KEYS="A@500 up@900-1500"
-	$(Q)$(MAKE) --no-print-directory board-run
+	$(Q)$(MAKE) --no-print-directory $(BOARD_SORT)-run
 
-flash: deps-test ## Put it on the real BOARD; DRY_RUN=1 only says how
-	$(Q)$(MAKE) --no-print-directory board-flash
+flash: deps-$(BOARD_DEPS) ## Put it on the real BOARD; DRY_RUN=1 only says how
+	$(Q)$(MAKE) --no-print-directory $(BOARD_SORT)-flash
+
+install: deps-linux ## Install it on this Linux BOARD as a service, or below DESTDIR; PREFIX=/usr/local
+	$(Q)$(MAKE) --no-print-directory linux-install
 
 clean: ## Remove the build folder
 	$(Q)rm -rf $(BUILD)
@@ -181,11 +190,13 @@ $(BUILD)/tests/%: tests/%.c $(HOST_LIB) $(CORE_LIB)
 
 include tests/tools/arm.mk
 include tests/tools/boards.mk
+include boards/linux/linux.mk
 include tests/tools/suites.mk
 include tests/tools/rp2040.mk
+include tests/tools/linux.mk
 include tests/tools/faults.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
-.PHONY: all tool demo test test-unit test-cli test-models test-core test-golden test-device test-rp2040 test-sanitize test-exhaustive \
-	bench bench-boards bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-test image run flash clean help
+.PHONY: all tool demo test test-unit test-cli test-models test-core test-golden test-device test-rp2040 test-linux test-sanitize test-exhaustive \
+	bench bench-boards bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-test deps-linux image run flash install clean help

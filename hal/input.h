@@ -14,6 +14,7 @@ enum hal_button {
     HAL_B = 1 << 5,
     HAL_X = 1 << 6,
     HAL_Y = 1 << 7,
+    HAL_QUIT = 1 << 8, /* no button: the program is to end, where there is something to go back to */
 };
 
 /* The buttons held now: a set of enum hal_button. */

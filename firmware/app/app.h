@@ -55,6 +55,21 @@ static inline const struct glint_choice *app_method(const struct app *app)
     return glint_choices + app->control.method;
 }
 
+/* How it begins and ends, where somebody can say so. */
+struct app_start {
+    struct control control; /* scene, method, budget, running, figures, moment_ms */
+    uint32_t period_us;     /* from one picture to the next at the least */
+    uint32_t step_us;       /* that pass from one picture to the next, however long it took; 0: as many as did */
+    uint32_t pictures;      /* to show, then to end; 0: no end */
+};
+
+/* As it begins where nobody says otherwise. */
+void app_usual(struct app_start *start);
+
+/* Opens the board's display and shows pictures, until HAL_QUIT is among the buttons or start->pictures are shown, and
+ * closes it: 0, or 3 if the display failed and did not open anew. */
+int app_run(const struct board *board, const struct app_start *start);
+
 /* Checks the scene and readies the renderer for it, its method and budget; sets app->problem. A scene that takes more
  * memory than the board has is drawn in part. */
 void show_ready(struct app *app);

@@ -17,7 +17,8 @@ struct main_state {
     struct app app;
     uint32_t last_us;   /* of the last look at the buttons */
     uint32_t window_us; /* since when pictures are counted */
-    uint32_t pictures;
+    uint32_t pictures;  /* since then */
+    uint32_t shown;     /* in all */
 };
 
 /* Pictures a second, while they follow one another. */
@@ -37,8 +38,10 @@ static void main_tell(const struct app *app)
 {
     struct text_line line = {.length = 0};
     report_picture(app, &line);
-    text_add(&line, ", stack ");
-    text_add_number(&line, stack_used());
+    if (stack_used()) {
+        text_add(&line, ", stack ");
+        text_add_number(&line, stack_used());
+    }
     machine_write(line.text);
     machine_write("\n");
 }
@@ -52,6 +55,8 @@ static int main_open(const struct board *board)
     return error;
 }
 
+#define MAIN_GONE 1 /* the display does not open */
+
 /* A write-only bus shows no fault; one that does is told and the display begun anew. 0: the picture is on the display.
  */
 static int main_show(struct app *app, int report)
@@ -60,12 +65,11 @@ static int main_show(struct app *app, int report)
     int error = show_frame(app);
     if (!error && report)
         error = show_finish(app);
-    if (error) {
-        machine_write("error display\n");
-        display->ops->close(display, 0);
-        main_open(app->board);
-    }
-    return error;
+    if (!error)
+        return 0;
+    machine_write("error display\n");
+    display->ops->close(display, 0);
+    return main_open(app->board) == 0 ? error : MAIN_GONE;
 }
 
 static int main_send(void *context, const void *bytes, size_t size)
@@ -94,46 +98,68 @@ static uint16_t main_first_method(void)
     return 0;
 }
 
-int main(void)
+void app_usual(struct app_start *start)
 {
-    struct main_state state = {.app = {.board = board_start(),
-                                       .control = {.scenes = (uint16_t)program_scene_count,
-                                                   .methods = (uint16_t)glint_choice_count,
-                                                   .method = main_first_method(),
-                                                   .budget = CONTROL_BUDGET,
-                                                   .running = 1,
-                                                   .figures = 1},
-                                       .remote.stream.write = main_send}};
-    struct app *app = &state.app;
-    if (main_open(app->board) != 0)
-        return 3;
-    crash_show(app->board);
-    control_start(&app->control, input_buttons());
-    show_ready(app);
-    state.last_us = state.window_us = clock_us();
-    for (unsigned effect = CONTROL_DRAW | CONTROL_REPORT;;) {
-        uint32_t now = clock_us();
+    *start = (struct app_start){.control = {.scenes = (uint16_t)program_scene_count,
+                                            .methods = (uint16_t)glint_choice_count,
+                                            .method = main_first_method(),
+                                            .budget = CONTROL_BUDGET,
+                                            .running = 1,
+                                            .figures = 1},
+                                .period_us = MAIN_PERIOD_US};
+}
+
+/* Until it is to end: 0, or MAIN_GONE. */
+static int main_loop(struct main_state *state, const struct app_start *start)
+{
+    struct app *app = &state->app;
+    state->last_us = state->window_us = clock_us();
+    for (unsigned effect = CONTROL_DRAW | CONTROL_REPORT; !start->pictures || state->shown < start->pictures;) {
+        uint32_t now = clock_us(), elapsed = now - state->last_us, buttons = input_buttons() | app->buttons;
+        if (buttons & HAL_QUIT)
+            return 0;
+        if (start->step_us)
+            elapsed = state->shown ? start->step_us : 0;
         effect |= main_hear(app);
-        effect |= control_step(&app->control,
-                               input_buttons() | app->buttons | remote_buttons(&app->remote, now - state.last_us),
-                               now - state.last_us);
-        state.last_us = now;
+        buttons |= remote_buttons(&app->remote, now - state->last_us);
+        effect |= control_step(&app->control, buttons, elapsed);
+        state->last_us = now;
         app->buttons = 0;
         if (effect & CONTROL_READY) {
             show_ready(app);
-            main_count(&state, 0); /* others are another number */
+            main_count(state, 0); /* others are another number */
         }
         if (effect & CONTROL_REPAINT)
             show_repaint(app);
-        main_count(&state, effect & CONTROL_DRAW);
+        main_count(state, effect & CONTROL_DRAW);
         effect &= CONTROL_DRAW | CONTROL_REPORT;
-        if (effect && main_show(app, effect & CONTROL_REPORT) == 0) {
+        int error = effect ? main_show(app, effect & CONTROL_REPORT) : 0;
+        if (error == MAIN_GONE)
+            return error;
+        if (effect && !error) {
             if (effect & CONTROL_REPORT)
                 main_tell(app);
             effect = 0;
+            state->shown++;
         }
         stack_check();
-        while (clock_us() - now < MAIN_PERIOD_US)
+        while (clock_us() - now < start->period_us)
             clock_idle();
     }
+    return 0;
+}
+
+int app_run(const struct board *board, const struct app_start *start)
+{
+    struct main_state state = {.app = {.board = board, .control = start->control, .remote.stream.write = main_send}};
+    if (main_open(board) != 0)
+        return 3;
+    crash_show(board);
+    control_start(&state.app.control, input_buttons() & ~(uint32_t)HAL_QUIT);
+    show_ready(&state.app);
+    /* a display that is gone is not open */
+    return main_loop(&state, start) == 0 && show_finish(&state.app) == 0 &&
+                   board->display->ops->close(board->display, 1) == 0
+               ? 0
+               : 3;
 }

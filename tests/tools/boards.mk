@@ -67,7 +67,7 @@ BOARD_KNOWN := $(filter $(BOARD),$(BOARDS))
 BOARD_ELF := $(BUILD)/$(BOARD)/app.elf
 BOARD_IMAGE := $(BUILD)/$(BOARD)/$(or $(IMAGE_$(BOARD)),app.elf)
 board-known:
-	@[ -n "$(BOARD_KNOWN)" ] || { echo "give BOARD=, one of: $(BOARDS)" >&2; exit 2; }
+	@[ -n "$(BOARD_KNOWN)" ] || { echo "give BOARD=, one of: $(BOARDS) $(LINUX_BOARDS)" >&2; exit 2; }
 
 board-image: board-known $(if $(BOARD_KNOWN),$(BOARD_ELF) $(BOARD_IMAGE))
 	@$(call image_size,$(BOARD),app,0)

@@ -1,18 +1,24 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# Finds which Debian packages a target lacks, says so and installs them. `deps.sh demo|test`; DEPS=manual only prints
+# Finds which Debian packages a target lacks, says so and installs them. `deps.sh demo|test|linux`; DEPS=manual only prints
 # the command and fails if something is missing.
 set -u
 
 demo="gcc pkg-config libc6-dev libpng-dev libjansson-dev libassimp-dev zlib1g-dev"
 test="$demo libcmocka-dev clang clang-runtime clang-format clang-tidy cppcheck valgrind python3 gcc-arm-none-eabi qemu-system-arm
-      gnuplot-nox assimp-testmodels nodejs npm"
+      gnuplot-nox assimp-testmodels nodejs npm gcc-arm-linux-gnueabihf libc6-dev-armhf-cross device-tree-compiler cpio"
+# A Linux board's program is built on the board itself, or crosswise.
+linux="$demo $(case $(uname -m) in arm* | aarch64) echo libgpiod-dev ;; *) echo gcc-arm-linux-gnueabihf libc6-dev-armhf-cross ;; esac)"
 
 # A tool that came by another way than apt serves as well; a library needs its package or its pkg-config file.
 have() {
     case $1 in
+    device-tree-compiler) command -v dtc ;;
     gcc-arm-none-eabi) command -v arm-none-eabi-gcc && command -v arm-none-eabi-nm ;;
     nodejs) command -v node ;;
+    gcc-arm-linux-gnueabihf) command -v arm-linux-gnueabihf-gcc ;;
+    libc6-dev-armhf-cross) [ -e /usr/arm-linux-gnueabihf/include/stdio.h ] ;;
+    libgpiod-dev) pkg-config --exists libgpiod ;;
     gnuplot-nox) command -v gnuplot ;;
     libpng-dev) pkg-config --exists libpng ;;
     libjansson-dev) pkg-config --exists jansson ;;
@@ -42,8 +48,9 @@ missing_of() {
 case ${1-} in
 demo) wanted=$demo ;;
 test) wanted=$test ;;
+linux) wanted=$linux ;;
 *)
-    echo "usage: deps.sh demo|test" >&2
+    echo "usage: deps.sh demo|test|linux" >&2
     exit 2
     ;;
 esac

@@ -12,7 +12,10 @@ COLD_SRC := $(wildcard firmware/app/*.c firmware/scene/*.c firmware/stream/*.c h
 	$(addprefix firmware/shade/,color6.c dots.c normal_quadratic.c part.c perspective.c piece.c plane_wide.c) \
 	$(addprefix firmware/raster/,draw_highlight.c draw_subdivide.c draw_overveld_scan.c fine.c parts.c table.c)
 SETUP_SRC := $(wildcard tests/setups/setup_*.c)
-HOST_SRC := $(wildcard hal/host/*.c hal/panels/*.c host-tools/*/*.c) $(SETUP_SRC) $(filter-out %/main.c,$(wildcard firmware/app/*.c))
+# Of the program for Linux, what wants neither libgpiod nor a device.
+LINUX_PARTS := $(filter-out hal/linux/gpio_v% %/kernel.c %/main.c,$(wildcard hal/linux/*.c boards/linux/*.c))
+HOST_SRC := $(wildcard hal/host/*.c hal/panels/*.c host-tools/*/*.c) $(SETUP_SRC) $(LINUX_PARTS) \
+	$(filter-out %/main.c %/start.c,$(wildcard firmware/app/*.c))
 UNIT_SRC := $(wildcard tests/unit/test_*.c)
 EXHAUSTIVE_SRC := $(wildcard tests/exhaustive/*.c)
 CLI_TESTS := $(wildcard tests/cli/*.sh)

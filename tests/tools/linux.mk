@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: MIT
+# The Linux boards' program on an emulated handheld (tests/device/linux), a guest for each libgpiod.
+GUESTS := v1 v2
+GUEST_DIR := $(BUILD)/armhf/guest-
+GUEST_KERNEL := $(LINUX_DEBIAN)/kernel
+GUEST_BOARD := boards/linux-virt/board.conf
+
+define guest_rule
+$(GUEST_DIR)$(1)/initrd.gz: $(BUILD)/armhf/glint-device-$(1) $(LINUX_DEBIAN)/complete $(GUEST_BOARD) tests/device/linux/guest.sh \
+		tests/device/linux/handheld.dtsi
+	$$(call say,GUEST,$$(@D))
+	@mkdir -p $$(@D)
+	$$(Q)tests/device/linux/guest.sh $(LINUX_DEBIAN) $(1) $$(@D) $$< $(GUEST_BOARD)
+endef
+$(foreach v,$(GUESTS),$(eval $(call guest_rule,$(v))))
+
+# Both at once: each waits for the other's half of the machine only where there is one.
+suite-linux: $(GUESTS:%=$(GUEST_DIR)%/initrd.gz) $(GLINT)
+	@status=0; jobs=; for version in $(GUESTS); do \
+		python3 tests/device/linux/test_linux.py $(GUEST_KERNEL) $(GUEST_DIR)$$version $(GLINT) & jobs="$$jobs $$!"; done; \
+	for job in $$jobs; do wait $$job || status=1; done; exit $$status
+
+# In a browser where there is a screen or SERVE=1, else SECONDS with KEYS pressed. ARGS are the program's options.
+GUEST_RUN = $(GUEST_DIR)v$(GPIOD)
+linux-run: $(if $(filter linux-virt,$(BOARD)),$(GUEST_RUN)/initrd.gz)
+	@[ "$(BOARD)" = linux-virt ] || { echo "$(BOARD): runs on the board itself; emulated: make BOARD=linux-virt run" >&2; exit 2; }
+	@$(if $(SERVE)$(DISPLAY)$(WAYLAND_DISPLAY),python3 tests/device/linux/serve.py $(GUEST_KERNEL) $(GUEST_RUN) $(GUEST_BOARD) \
+		$(PORT) $(ARGS),python3 tests/device/linux/play.py $(GUEST_KERNEL) $(GUEST_RUN) $(GUEST_BOARD) \
+		$(GUEST_RUN)/screen.png $(SECONDS) $(ARGS) $(KEYS) && echo "$(GUEST_RUN)/screen.png: what its panel shows then (live in a browser: SERVE=1)")
+
+.PHONY: suite-linux linux-run
