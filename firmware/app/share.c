@@ -150,9 +150,9 @@ int share_draw(struct share *s)
     share_notify(s);
     while (share_band(s, 0))
         ;
-    s->draw_us = s->part_us;
     while (atomic_load(&s->assisting))
         share_wait(s);
+    s->draw_us = s->part_us; /* not before: the second CPU's band may show it */
     if (s->core)
         glint_worker_end(&s->worker, &s->frame);
     return atomic_load(&s->error) ? share_finish(s) : 0;
