@@ -12,11 +12,11 @@ struct board {
     struct hal_display *display; /* not yet open */
     uint16_t width, height;      /* of the picture, in pixels */
     uint16_t band_rows;
-    uint8_t format; /* enum hal_pixel_format: RGB565 or GREY4 */
-    uint8_t dither; /* 1: ordered dither */
+    uint8_t format;                 /* enum hal_pixel_format: RGB565 or GREY4 */
+    uint8_t dither;                 /* 1: ordered dither */
     const struct pack_format *pack; /* of that format, for the stream */
-    void *band[4];  /* band_rows rows of the format each, aligned to 4: two, or four where there is a second CPU */
-    void *memory;   /* the renderer's, aligned to 4 */
+    void *band[4]; /* band_rows rows of the format each, aligned to 4: two, or four where there is a second CPU */
+    void *memory;  /* the renderer's, aligned to 4 */
     uint32_t memory_bytes;
     const struct hal_core *core; /* the second CPU; null: none */
     void *worker;                /* its memory (glint_worker_memory_needed()), aligned to 4 */
