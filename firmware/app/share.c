@@ -19,10 +19,16 @@ static void share_notify(struct share *s)
         s->core->notify();
 }
 
-/* The number's band is drawn. Numbers go round after 2^32, which both counts of buffers divide. */
+/* Its buffer: there are two or four. */
+static uint32_t share_place(const struct share *s, uint32_t number)
+{
+    return number & (s->buffers - 1);
+}
+
+/* The number's band is drawn. */
 static int share_is_due(struct share *s, uint32_t number)
 {
-    return atomic_load(&s->slot[number % s->buffers].number) == number + 1;
+    return atomic_load(&s->slot[share_place(s, number)].number) == number + 1;
 }
 
 static int share_flush(struct hal_display *display, const struct share_slot *slot)
@@ -47,7 +53,7 @@ static int share_send(struct share *s)
         uint32_t due = atomic_load(&s->due);
         for (; share_is_due(s, due); due++, sent = 1) {
             if (s->display && !atomic_load(&s->error))
-                atomic_store(&s->error, share_flush(s->display, &s->slot[due % s->buffers]));
+                atomic_store(&s->error, share_flush(s->display, &s->slot[share_place(s, due)]));
             atomic_store(&s->left, due); /* a flush returns when the band before it has left */
             atomic_store(&s->due, due + 1);
             share_notify(s);
@@ -88,10 +94,10 @@ static int share_band(struct share *s, int assisting)
         return 0;
     while (number - atomic_load(&s->left) >= s->buffers)
         share_wait(s);
-    struct share_slot *slot = &s->slot[number % s->buffers];
+    const uint32_t place = share_place(s, number);
+    struct share_slot *slot = &s->slot[place];
     uint32_t begin = clock_us();
-    glint_frame_band(assisting ? &s->worker : &s->frame, number + s->count - s->end, s->band[number % s->buffers],
-                     &slot->band);
+    glint_frame_band(assisting ? &s->worker : &s->frame, number + s->count - s->end, s->band[place], &slot->band);
     if (s->over)
         s->over(s->context, &slot->band, assisting);
     slot->last = number + 1 == s->end;
@@ -150,9 +156,9 @@ int share_draw(struct share *s)
     share_notify(s);
     while (share_band(s, 0))
         ;
-    s->draw_us = s->part_us;
     while (atomic_load(&s->assisting))
         share_wait(s);
+    s->draw_us = s->part_us; /* not before: the second CPU's band may show it */
     if (s->core)
         glint_worker_end(&s->worker, &s->frame);
     return atomic_load(&s->error) ? share_finish(s) : 0;

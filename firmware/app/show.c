@@ -205,7 +205,15 @@ static int show_scene(struct app *app, struct hal_display *display)
     return result;
 }
 
-/* Bands that are sent one after the other as they are made. */
+/* All is on the panel. */
+static int show_wait(const struct app *app)
+{
+    struct panel *panel = show_panel(app);
+    return panel ? panel->bus->ops->wait(panel->bus) : 0;
+}
+
+/* Bands that are sent one after the other as they are made, and have left when this returns: share.c knows nothing of
+ * their buffers. */
 static int show_alone(struct app *app, int (*bands)(struct app *, struct hal_display *))
 {
     struct hal_display *display = app->board->display;
@@ -216,7 +224,7 @@ static int show_alone(struct app *app, int (*bands)(struct app *, struct hal_dis
         result = bands(app, display);
     if (!result && display->ops->frame_end)
         result = display->ops->frame_end(display);
-    return result;
+    return result ? result : show_wait(app);
 }
 
 int show_frame(struct app *app)
@@ -240,10 +248,9 @@ int show_frame(struct app *app)
 int show_finish(struct app *app)
 {
     int result = share_finish(&app->share);
-    struct panel *panel = show_panel(app);
-    if (panel && !result)
-        result = panel->bus->ops->wait(panel->bus);
-    if (panel)
-        app->sent = panel->sent_last;
+    if (!result)
+        result = show_wait(app);
+    if (show_panel(app))
+        app->sent = show_panel(app)->sent_last;
     return result;
 }

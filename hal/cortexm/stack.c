@@ -2,7 +2,7 @@
 #include "cortexm/stack.h"
 #include "cortexm/fault.h"
 
-extern const uint32_t link_stack[], link_stack_top[];
+extern const uint32_t link_stacks[], link_stack[], link_stack_top[];
 
 uint32_t stack_size(void)
 {
@@ -20,7 +20,7 @@ uint32_t stack_used(void)
 int stack_broken(void)
 {
     for (int i = 0; i < STACK_CANARY; i++)
-        if (link_stack[i] != STACK_PAINT)
+        if (link_stack[i] != STACK_PAINT || link_stacks[i] != STACK_PAINT)
             return 1;
     return 0;
 }

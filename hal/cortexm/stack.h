@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The stack: a region of its own at RAM's end (boards/cortexm.ld), painted by start-up. */
+/* The stack: a region of its own at RAM's end (boards/cortexm.ld), painted by start-up; a second CPU's lies below. */
 #ifndef HAL_CORTEXM_STACK_H
 #define HAL_CORTEXM_STACK_H
 
@@ -12,7 +12,7 @@
 uint32_t stack_size(void);
 uint32_t stack_used(void);
 
-/* 1 if the words at its end were written. */
+/* 1 if the words at its end were written, or at the end of a second CPU's. */
 int stack_broken(void);
 
 /* Ends the program by a fault if they were. */

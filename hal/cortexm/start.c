@@ -5,13 +5,14 @@
 
 #include <stdint.h>
 
-extern uint32_t link_stack[], link_stack_top[], link_data_load[], link_data[], link_data_end[], link_bss[],
+extern uint32_t link_stacks[], link_stack_top[], link_data_load[], link_data[], link_data_end[], link_bss[],
     link_bss_end[];
 
 int main(void);
 void start_reset(void);
 void start_fault(void);
 void start_systick(void);
+void start_stack(void);
 
 void start_reset(void)
 {
@@ -22,9 +23,18 @@ void start_reset(void)
     for (uint32_t *to = link_bss; (uintptr_t)to != (uintptr_t)link_bss_end; to++)
         *to = 0;
     __asm volatile("mov %0, sp" : "=r"(used));
-    for (uint32_t *to = link_stack; (uintptr_t)to < (uintptr_t)used; to++)
+    for (uint32_t *to = link_stacks; (uintptr_t)to < (uintptr_t)used; to++)
         *to = STACK_PAINT;
     machine_exit(main());
+}
+
+/* In r3 where the stack begins of the CPU that calls; touches nothing else. A machine with a second CPU has its own:
+ * the other one may still use its stack. */
+__attribute__((naked, weak)) void start_stack(void)
+{
+    __asm volatile("ldr r3, =link_stack_top\n"
+                   "bx lr\n"
+                   ".ltorg");
 }
 
 /* Every exception that nobody serves. What it stacked (r0-r3, r12, lr, pc, psr) is read if it lies in RAM, and then the
@@ -43,7 +53,7 @@ __attribute__((naked)) void start_fault(void)
                    "b 2f\n"
                    "1: movs r0, #0\n"
                    "movs r1, #0\n"
-                   "2: ldr r3, =link_stack_top\n"
+                   "2: bl start_stack\n"
                    "mov sp, r3\n"
                    "bl fault_exception\n"
                    ".ltorg");

@@ -57,8 +57,10 @@ void lm3s_ssi_interrupt(void)
         ssi_put(next++, swap);
     ssi_run.next = next + ssi_run.skip;
     ssi_run.left = ssi_run.row_bytes;
-    if (--ssi_run.rows == 0)
-        SSI_MASK = 0;
+    if (--ssi_run.rows)
+        return;
+    SSI_MASK = 0;
+    (void)SSI_MASK; /* has arrived before the return, or the interrupt comes once more */
 }
 
 /* D/C is sampled with the last bit of a byte: it must not change before the byte is out. */

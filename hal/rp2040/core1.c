@@ -49,6 +49,24 @@ static void core1_main(void)
         core1_pause();
 }
 
+void start_stack(void);
+
+/* Of hal/cortexm/start.c: for a fault of either core. */
+__attribute__((naked)) void start_stack(void)
+{
+    __asm volatile(".syntax unified\n"
+                   "movs r3, #0xd0\n"
+                   "lsls r3, r3, #24\n"
+                   "ldr r3, [r3]\n" /* SIO_CPUID */
+                   "cmp r3, #0\n"
+                   "bne 1f\n"
+                   "ldr r3, =link_stack_top\n"
+                   "bx lr\n"
+                   "1: ldr r3, =link_core1_stack_top\n"
+                   "bx lr\n"
+                   ".ltorg");
+}
+
 /* The ROM gives every word back; one that it did not expect begins the sequence anew. */
 static uint32_t core1_exchange(uint32_t word)
 {

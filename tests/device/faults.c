@@ -7,6 +7,7 @@
  *   unaligned   two words read at an odd address
  *   unserved    an exception that nobody serves
  *   deep N      writes N bytes of stack; then "used M of S", or stack_check()'s fault
+ *   second N    on the second CPU: an undefined instruction if N is 0, or it writes N bytes of stack; then as deep
  *   busy N      looks at the serial line after N ms only, and says what has come: "got TEXT, lost N"
  *   clock N     reads the time N times, every other with interrupts masked: "N steps back"
  */
@@ -30,6 +31,33 @@ static void faults_deep(uint32_t bytes)
     uintptr_t here = (uintptr_t)__builtin_frame_address(0) & ~(uintptr_t)3;
     for (uint32_t i = 4; i <= bytes; i += 4)
         *(volatile uint32_t *)(here - i) = 0;
+}
+
+static void faults_job(void *argument)
+{
+    uint32_t depth = *(const uint32_t *)argument;
+    if (depth == 0)
+        __asm volatile("udf #0");
+    faults_deep(depth);
+    for (;;)
+        ;
+}
+
+/* The first CPU goes on, and uses what its stack begins with. */
+static void faults_second(const struct hal_core *core, uint32_t depth)
+{
+    enum { WORDS = 40 };
+    extern volatile uint32_t link_stack[];
+    volatile uint32_t *first = link_stack + stack_size() / 4 - WORDS;
+    uint32_t begin = clock_us(), kept[WORDS];
+    core->start(faults_job, &depth);
+    for (int i = 0; i < WORDS; i++)
+        kept[i] = first[i];
+    while (clock_us() - begin < 20000)
+        for (int i = 0; i < WORDS; i++)
+            first[i] = 0;
+    for (int i = 0; i < WORDS; i++)
+        first[i] = kept[i];
 }
 
 static void faults_unaligned(void)
@@ -83,7 +111,7 @@ static void faults_used(void)
     line_end(&line);
 }
 
-static void faults_obey(char *line)
+static void faults_obey(char *line, const struct board *board)
 {
     char *number = line;
     while (*number && *number != ' ')
@@ -104,6 +132,8 @@ static void faults_obey(char *line)
     else {
         if (text_equal(line, "deep"))
             faults_deep(value);
+        if (text_equal(line, "second"))
+            faults_second(board->core, value);
         faults_used();
     }
 }
@@ -126,7 +156,7 @@ int main(void)
         else {
             line[length] = 0;
             length = 0;
-            faults_obey(line);
+            faults_obey(line, board);
         }
     }
 }

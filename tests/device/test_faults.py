@@ -137,6 +137,20 @@ def stack(board):
         restarted(board, line)
 
 
+def second(board):
+    """The second CPU's faults and its stack, while the first goes on."""
+    board.type("second 0\n")
+    line = board.line()
+    expect("a fault of the second CPU", lambda line: line and line.startswith("fault 3, at 1000"), line)
+    restarted(board, line)
+    board.type("second 3900\n")
+    expect("the second CPU has a stack of its own", lambda line: line and line.startswith("used "), board.line())
+    board.type("second 4096\n")
+    line = board.line()
+    expect("the end of the second CPU's stack is watched", lambda line: line and line.startswith("fault, stack overflow, at "), line)
+    restarted(board, line)
+
+
 def serial(board):
     text = "".join(chr(ord("a") + i % 26) for i in range(WAITING - 12))
     board.type("busy 300\n")
@@ -189,5 +203,6 @@ if len(sys.argv) == 2:
 else:
     with Rp2040(*sys.argv[1:4]) as on_rp2040js:
         suite(on_rp2040js)
+        second(on_rp2040js)
         clock(on_rp2040js)
 sys.exit(failed != 0)

@@ -355,6 +355,25 @@ static void an_error_of_the_display_is_told(void **state)
     }
 }
 
+/* The test's last band is sent before the picture that follows is drawn into its buffer, which then never goes out. */
+static void the_last_band_of_the_test_is_on_the_glass(void **state)
+{
+    (void)state;
+    begin(GLASS_LARGE, 0, sizeof memory);
+    board.band_rows = 16; /* fifteen bands: the last one and the first share a buffer */
+    show_ready(&app);
+    app.control.test = HAL_A;
+    show();
+    for (unsigned i = 0; i < 240 * 240; i++)
+        set.picture[i] = case_seen(i % 240, i / 240, 0, 0);
+    show_repaint(&app);
+    assert_int_equal(show_frame(&app), 0);
+    app.control.test = 0;
+    set.wires.fail_at = set.wires.calls;
+    assert_int_equal(show_frame(&app), HAL_E_IO);
+    assert_int_equal(case_wrong(0, 0), 0);
+}
+
 static void a_button_pressed_while_a_picture_is_drawn_is_seen(void **state)
 {
     (void)state;
@@ -414,6 +433,7 @@ int main(void)
         cmocka_unit_test(reports_say_all),
         cmocka_unit_test(an_angle_in_words_is_that_angle),
         cmocka_unit_test(an_error_of_the_display_is_told),
+        cmocka_unit_test(the_last_band_of_the_test_is_on_the_glass),
         cmocka_unit_test(a_button_pressed_while_a_picture_is_drawn_is_seen),
         cmocka_unit_test(words_stay_in_their_band_and_width),
     };

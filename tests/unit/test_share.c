@@ -220,6 +220,18 @@ static void pictures_arrive_whole_and_in_order(void **state)
     }
 }
 
+static void the_count_of_bands_goes_round(void **state)
+{
+    (void)state;
+    struct share_case c;
+    open_case(&c, 10, 4, 0);
+    c.share.next = c.share.end = UINT32_MAX - 7;
+    c.share.due = c.share.left = UINT32_MAX - 7;
+    show_pictures(&c);
+    assert_true(c.share.end < 100);
+    close_case(&c);
+}
+
 static void a_worker_without_memory_leaves_one_to_draw(void **state)
 {
     (void)state;
@@ -269,6 +281,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pictures_arrive_whole_and_in_order),
+        cmocka_unit_test(the_count_of_bands_goes_round),
         cmocka_unit_test(a_worker_without_memory_leaves_one_to_draw),
         cmocka_unit_test(an_error_of_the_display_is_told_once),
         cmocka_unit_test(bad_scenes_are_refused_before_anything_is_sent),

@@ -143,10 +143,11 @@ export class Board {
         this.slept = 0;
         this.counts = new Float64Array(flash.length / 2); // cycles of both cores by half-word of flash, while `counting`
         // What rp2040js leaves to its user: the HardFault of an undefined instruction, and the watchdog's reset.
-        mcu.onBreak = () => {
-            mcu.core.PC -= mcu.core.breakRewind;
-            mcu.core.exceptionEntry(EXC_HARDFAULT);
-        };
+        for (const bus of [mcu, this.second.bus])
+            bus.onBreak = () => {
+                bus.core.PC -= bus.core.breakRewind;
+                bus.core.exceptionEntry(EXC_HARDFAULT);
+            };
         mcu.peripherals[WATCHDOG].onWatchdogTrigger = () => this.enter();
         this.enter();
     }

@@ -13,6 +13,7 @@ export class SecondCore {
     constructor(mcu) {
         this.mcu = mcu;
         const bus = Object.create(mcu); // what is not given here is the first core's too
+        this.bus = bus;
         this.core = bus.core = new mcu.core.constructor(bus);
         bus.ppb = new mcu.ppb.constructor(bus, 'PPB1');
         const own = new mcu.sio.constructor(bus), shared = mcu.sio;
