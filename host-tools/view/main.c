@@ -4,6 +4,7 @@
 #include "view/dump.h"
 #include "view/frames.h"
 #include "view/port.h"
+#include "view/words.h"
 
 #include <getopt.h>
 #include <signal.h>
@@ -81,7 +82,16 @@ static void main_picture(void *context, const struct frames_picture *p)
 static void main_log(void *context, const char *text, uint32_t length)
 {
     const struct view *view = context;
-    fprintf(stderr, "%s: %.*s\n", view->port.name, (int)length, text);
+    fprintf(stderr, "%s: ", view->port.name);
+    words_put(stderr, text, length);
+    fputc('\n', stderr);
+}
+
+static void main_print(const char *kind, const char *name)
+{
+    printf("%s ", kind);
+    words_put(stdout, name, strlen(name));
+    putchar('\n');
 }
 
 /* Prints hello's names, or finds one in its list `wanted` (0: scenes, 1: methods): its index, or MAIN_NONE. */
@@ -97,7 +107,7 @@ static uint32_t main_names(const char *text, uint32_t length, unsigned wanted, c
             continue;
         }
         if (!name)
-            printf("%s %s\n", list ? "method" : "scene", at);
+            main_print(list ? "method" : "scene", at);
         else if (list == wanted && strcmp(name, at) == 0)
             return index;
     }
@@ -126,7 +136,7 @@ static void main_hello(void *context, const char *text, uint32_t length)
         return;
     view->named = true;
     if (view->names) {
-        printf("board %s\n", text);
+        main_print("board", text);
         main_names(text, length, 0, NULL);
     }
     main_choose(view, text, length, STREAM_SCENE, view->scene);

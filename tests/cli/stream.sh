@@ -72,6 +72,26 @@ run 'a number is a number' 2 "$view" file:good.stream --frames 0
 run 'help is printed' 0 "$view" --help
 
 fresh
+python3 - "$decoder" <<'P'
+import sys
+sys.path.insert(0, sys.argv[1])
+import stream
+evil = b"a\x1b[2J\x07\r\nb\xc2\x9bc\x9bd\x7f\xc3\xa4\xe2\x82"
+names = b"../" + evil + b"\0" + evil + b"\0\0" + evil + b"\0"
+with open("evil.stream", "wb") as file:
+    file.write(stream.message(stream.HELLO, names, 0, 4, 2) + stream.message(stream.LOG, evil + b"e", 1)
+               + stream.picture(bytes(16), 4, 2, 2))
+P
+"$view" file:evil.stream --names --dump evil >out 2>err
+printf '%s\n' 'board ../a?[2J???b?c?d?ä??' 'scene a?[2J???b?c?d?ä??' 'method a?[2J???b?c?d?ä??' \
+    '1 picture, 168 bytes each, 0 lost' >want
+same 'names say nothing to the terminal' out want
+echo 'evil.stream: a?[2J???b?c?d?ä??e' >want
+same 'nor do log messages' err want
+if [ "$(find . -type f | sort | paste -sd ' ')" = './err ./evil.stream ./evil/frame-0000.png ./out ./want' ]
+then say ok 'nor do they name files'; else say FAIL 'nor do they name files' "$(find . -type f)"; fi
+
+fresh
 run 'render writes a picture or a stream' 2 "$glint" render "$demo" --stream a.stream -o a.png
 run 'hashes do not mix with a stream on standard output' 2 "$glint" render "$demo" --stream - --hash
 run 'a stream that cannot be written is named' 3 "$glint" render "$demo" --stream none/a.stream
