@@ -4,6 +4,7 @@
 #include "view/dump.h"
 #include "view/frames.h"
 #include "view/port.h"
+#include "view/words.h"
 
 #include <getopt.h>
 #include <signal.h>
@@ -24,7 +25,7 @@ static const char main_help[] =
     "asked for each picture. Only whole pictures are taken; one that was damaged on the way is left out.\n\n"
     "      --dump DIR         write them to DIR/frame-0000.png and so on\n"
     "      --frames N         end after N pictures, 1..1000000; the default is all\n"
-    "      --headless         open no window. Pictures are written, counted and listed\n"
+    "      --headless         open no window, which it does not so far: pictures are written, counted and listed\n"
     "      --list             print a line for each\n"
     "      --names            print what the device offers: scenes and methods\n"
     "      --scene NAME       let the device show a scene,\n"
@@ -41,6 +42,7 @@ struct view {
     uint32_t frames_wanted; /* 0: all */
     /* asked of the device, by place in its lists, or MAIN_NONE: pictures from before it obeyed do not count */
     uint32_t scene_index, method_index, budget, pause;
+    bool obeyed; /* by the last picture, in all of these */
     bool list, names, named;
     uint32_t pictures; /* that count */
     uint64_t bytes;
@@ -60,9 +62,10 @@ static bool main_obeyed(uint32_t asked, uint32_t is)
 static void main_picture(void *context, const struct frames_picture *p)
 {
     struct view *view = context;
-    if (main_enough(view) || ((view->scene || view->method) && !view->named) ||
-        !main_obeyed(view->scene_index, p->scene) || !main_obeyed(view->method_index, p->method) ||
-        !main_obeyed(view->budget, p->budget) || !main_obeyed(view->pause, p->paused))
+    view->obeyed = ((!view->scene && !view->method) || view->named) && main_obeyed(view->scene_index, p->scene) &&
+                   main_obeyed(view->method_index, p->method) && main_obeyed(view->budget, p->budget) &&
+                   main_obeyed(view->pause, p->paused);
+    if (main_enough(view) || !view->obeyed)
         return;
     view->bytes += p->bytes;
     if (view->dump && view->pictures == 0)
@@ -81,7 +84,16 @@ static void main_picture(void *context, const struct frames_picture *p)
 static void main_log(void *context, const char *text, uint32_t length)
 {
     const struct view *view = context;
-    fprintf(stderr, "%s: %.*s\n", view->port.name, (int)length, text);
+    fprintf(stderr, "%s: ", view->port.name);
+    words_put(stderr, text, length);
+    fputc('\n', stderr);
+}
+
+static void main_print(const char *kind, const char *name)
+{
+    printf("%s ", kind);
+    words_put(stdout, name, strlen(name));
+    putchar('\n');
 }
 
 /* Prints hello's names, or finds one in its list `wanted` (0: scenes, 1: methods): its index, or MAIN_NONE. */
@@ -97,7 +109,7 @@ static uint32_t main_names(const char *text, uint32_t length, unsigned wanted, c
             continue;
         }
         if (!name)
-            printf("%s %s\n", list ? "method" : "scene", at);
+            main_print(list ? "method" : "scene", at);
         else if (list == wanted && strcmp(name, at) == 0)
             return index;
     }
@@ -116,7 +128,6 @@ static void main_choose(struct view *view, const char *text, uint32_t length, en
         return;
     }
     *(type == STREAM_METHOD ? &view->method_index : &view->scene_index) = index;
-    view->code = port_ask(&view->port, type, index);
 }
 
 static void main_hello(void *context, const char *text, uint32_t length)
@@ -126,7 +137,7 @@ static void main_hello(void *context, const char *text, uint32_t length)
         return;
     view->named = true;
     if (view->names) {
-        printf("board %s\n", text);
+        main_print("board", text);
         main_names(text, length, 0, NULL);
     }
     main_choose(view, text, length, STREAM_SCENE, view->scene);
@@ -208,18 +219,26 @@ static int main_parse(struct view *view, int argc, char **argv)
     }
     if (argc - optind != 1)
         return cli_usage(main_name, "one input is needed");
+    if (!*argv[optind] || strcmp(argv[optind], "file:") == 0 || (view->dump && !*view->dump))
+        return cli_usage(main_name, "a name is empty");
     return -1;
 }
 
-/* What is wanted of the device before the first picture that counts. */
-static int main_prepare(struct view *view)
+/* For a picture; and for what is wanted of it, until one shows that all of it has been heard. */
+static int main_ask(struct view *view)
 {
+    const struct {
+        enum stream_type type;
+        uint32_t value;
+    } wishes[] = {{STREAM_BUDGET, view->budget},
+                  {STREAM_PAUSE, view->pause},
+                  {STREAM_SCENE, view->scene_index},
+                  {STREAM_METHOD, view->method_index}};
     int code = CLI_DONE;
-    if (view->budget != MAIN_NONE)
-        code = port_ask(&view->port, STREAM_BUDGET, view->budget);
-    if (!code && view->pause != MAIN_NONE)
-        code = port_ask(&view->port, STREAM_PAUSE, view->pause);
-    return code;
+    for (unsigned i = 0; i < sizeof wishes / sizeof *wishes && !code && !view->obeyed; i++)
+        if (wishes[i].value != MAIN_NONE)
+            code = port_ask(&view->port, wishes[i].type, wishes[i].value);
+    return code ? code : port_ask(&view->port, STREAM_KEY_PLEASE, 0);
 }
 
 static int main_run(struct view *view)
@@ -228,11 +247,10 @@ static int main_run(struct view *view)
     double asked = cli_clock() - MAIN_AGAIN_MS;
     uint32_t seen = 0;
     long count = 0;
-    view->code = main_prepare(view);
     while (!main_enough(view) && !cli_interrupted() && !view->frames.parser.out_of_memory) {
         double now = cli_clock();
         if (view->port.asks && (seen != view->frames.pictures || now - asked >= MAIN_AGAIN_MS)) {
-            view->code = port_ask(&view->port, STREAM_KEY_PLEASE, 0);
+            view->code = main_ask(view);
             seen = view->frames.pictures;
             asked = now;
         }

@@ -9,6 +9,10 @@
 #include <string.h>
 
 #define PARSER_OTHER 65536u /* bytes: the most that a message of a type to come may have */
+/* Bytes of damaged payloads that a byte of the stream pays for, and the most that is saved up: bytes that were made to
+ * be header in header, each claiming all that follows, would else take the square of their number. */
+#define PARSER_SPARE      16u
+#define PARSER_SPARE_MOST ((size_t)1 << 28)
 
 uint32_t parser_get16(const uint8_t *at)
 {
@@ -86,6 +90,9 @@ static size_t parser_look(struct parser *p, const uint8_t *at, size_t count)
     crc = scene_crc32(crc, message.payload, message.length);
     if (message.length && crc != parser_get32(message.payload + message.length)) {
         p->damaged++;
+        if (p->spare < message.length)
+            return p->need;
+        p->spare -= message.length;
         return 1;
     }
     p->take(p->context, &message);
@@ -123,6 +130,8 @@ void parser_push(struct parser *p, const void *bytes, size_t size)
     }
     memcpy(p->bytes + p->count, bytes, size);
     p->count += size;
+    p->spare += PARSER_SPARE * size;
+    p->spare = p->spare < PARSER_SPARE_MOST ? p->spare : PARSER_SPARE_MOST;
     if (p->count >= p->need)
         parser_run(p, false);
 }

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Messages of a stream (firmware/stream/PROTOCOL.md) from bytes that come in pieces of any size. What is not a message
- * is passed over, as is a damaged one: after it every byte is looked at again.
+ * is passed over, as is a damaged one: after it every byte is looked at again, unless there was far more of that than a
+ * line does.
  */
 #ifndef VIEW_PARSER_H
 #define VIEW_PARSER_H
@@ -34,7 +35,8 @@ struct parser {
 
     uint8_t *bytes; /* from the first that may begin a message */
     size_t count, room;
-    size_t need; /* bytes, before it is worth looking again */
+    size_t need;  /* bytes, before it is worth looking again */
+    size_t spare; /* bytes of damaged payloads that may yet be looked at again */
 };
 
 void parser_push(struct parser *parser, const void *bytes, size_t size);

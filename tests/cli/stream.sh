@@ -68,8 +68,65 @@ run 'a folder is no stream' 3 "$view" file:want
 run 'a file is no folder' 3 "$view" file:good.stream --dump words
 run 'a file cannot be asked' 2 "$view" file:good.stream --scene demo
 run 'an input is needed' 2 "$view" --headless
+run 'an empty name is none' 2 "$view" file:
+run 'nor is a folder of none' 2 "$view" file:good.stream --dump ''
 run 'a number is a number' 2 "$view" file:good.stream --frames 0
 run 'help is printed' 0 "$view" --help
+
+fresh
+python3 - "$decoder" <<'P'
+import sys
+sys.path.insert(0, sys.argv[1])
+import stream
+evil = b"a\x1b[2J\x07\r\nb\xc2\x9bc\x9bd\x7f\xc3\xa4\xe2\x82"
+names = b"../" + evil + b"\0" + evil + b"\0\0" + evil + b"\0"
+with open("evil.stream", "wb") as file:
+    file.write(stream.message(stream.HELLO, names, 0, 4, 2) + stream.message(stream.LOG, evil + b"e", 1)
+               + stream.picture(bytes(16), 4, 2, 2))
+P
+"$view" file:evil.stream --names --dump evil >out 2>err
+printf '%s\n' 'board ../a?[2J???b?c?d?ä??' 'scene a?[2J???b?c?d?ä??' 'method a?[2J???b?c?d?ä??' \
+    '1 picture, 168 bytes each, 0 lost' >want
+same 'names say nothing to the terminal' out want
+echo 'evil.stream: a?[2J???b?c?d?ä??e' >want
+same 'nor do log messages' err want
+if [ "$(find . -type f | sort | paste -sd ' ')" = './err ./evil.stream ./evil/frame-0000.png ./out ./want' ]
+then say ok 'nor do they name files'; else say FAIL 'nor do they name files' "$(find . -type f)"; fi
+
+# a device that hears nothing for its first requests, as one that is just being switched on
+fresh
+cat >deaf.py <<'P'
+import os
+import select
+import subprocess
+import sys
+import tty
+sys.path.insert(0, sys.argv[1])
+import stream
+deaf = int(sys.argv[2])
+master, slave = os.openpty()
+tty.setraw(slave)
+view = subprocess.Popen(sys.argv[3:4] + [os.ttyname(slave)] + sys.argv[4:])
+is_now, sequence, heard, data = {stream.SCENE: 0, stream.METHOD: 0, stream.BUDGET: 4, stream.PAUSE: 0}, 0, 0, b""
+while view.poll() is None and sequence < 400:
+    if select.select([master], [], [], .05)[0]:
+        data += os.read(master, 4096)
+        for head, value in [(data[at + 5], data[at + 12]) for at in range(0, len(data) - 31, 32)]:
+            heard += 1
+            if heard > deaf and head in is_now:
+                is_now[head] = value
+            if head == stream.KEY_PLEASE:
+                hello = stream.message(stream.HELLO, b"b\0s\0t\0\0m\0n\0", sequence, 4, 2)
+                os.write(master, hello + stream.picture(bytes(16), 4, 2, sequence + 1, 0, *is_now.values()))
+                sequence += 4
+        data = data[len(data) // 32 * 32:]
+view.terminate()
+sys.exit(view.wait())
+P
+for deaf in 0 1 3 5 9; do
+    run "what is asked of a device that misses $deaf requests is asked again" 0 timeout 20 python3 deaf.py "$decoder" $deaf \
+        "$view" --scene t --method n --budget 9 --pause --frames 2
+done
 
 fresh
 run 'render writes a picture or a stream' 2 "$glint" render "$demo" --stream a.stream -o a.png

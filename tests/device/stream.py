@@ -14,6 +14,20 @@ def request(kind, value=0, sequence=0):
     return head + struct.pack("<I", zlib.crc32(head))
 
 
+def message(kind, payload, sequence, width=0, height=0):
+    """From a device; what is not said is 0."""
+    head = struct.pack("<4sBBHI4HBBHI", MAGIC, 1, kind, sequence, 0, 0, 0, width, height, 0, 0, 0, len(payload))
+    crc = zlib.crc32(head)
+    return head + struct.pack("<I", crc) + payload + struct.pack("<I", zlib.crc32(payload, crc))
+
+
+def picture(pixels, width, height, sequence, number=0, scene=0, method=0, budget=4, paused=0):
+    """A key frame of RGB565 pixels in one band: three messages."""
+    begin = struct.pack("<II4B", number, 0, 1 | paused << 1, scene, method, budget)
+    return message(BEGIN, begin, sequence, width, height) + message(BAND, pixels, sequence + 1, width, height) + \
+        message(END, struct.pack("<8I", number, 1, 0, 0, 0, 0, 0, 0), sequence + 2)
+
+
 def messages(data):
     """(header, payload) of every whole message: type, sequence, time, x, y, width, height, format, codec."""
     at = 0

@@ -73,6 +73,18 @@ def tour(name, script):
         verdict(f"{name}: {Told.stack} bytes of stack are 90 to 100 % of the bound", complaint)
 
 
+def refusals():
+    """What `make run` passes on is checked under the names that it has there."""
+    uf2 = f"{build}/picosystem/app.uf2"
+    for program, name, value in (("show.mjs", "SECONDS", "abc"), ("show.mjs", "SECONDS", "0"), ("serve.mjs", "PORT", "abc"),
+                                 ("serve.mjs", "PORT", "65536")):
+        picture = [f"{build}/picosystem/refused"] if program == "show.mjs" else []
+        run = subprocess.run(["node", f"tests/device/rp2040/{program}", modules, uf2] + picture + [value], text=True,
+                             capture_output=True, timeout=60, env=dict(os.environ, BOARD="picosystem"))
+        verdict(f"{name}={value} is refused by its name", None if run.returncode == 2 and run.stderr.count("\n") == 1
+                and run.stderr.startswith(f"{name}={value}: ") else f"{run.returncode}: {run.stderr}")
+
+
 def page():
     """The board in a browser: what its page asks for, and a button that is pressed there."""
     server = subprocess.Popen(["node", "tests/device/rp2040/serve.mjs", modules, f"{build}/picosystem/app.uf2", "0"], text=True,
@@ -109,6 +121,7 @@ def page():
         server.wait()
 
 
+refusals()
 page()
 tour("picosystem", TOUR)
 tour("pico-st7789", SHORT)

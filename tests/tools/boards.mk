@@ -63,7 +63,7 @@ $(BUILD)/bench/boards.csv: tests/tools/board_costs.py $(SIZE_ELF) $(COST_BOARDS:
 bench-boards-table: $(BUILD)/bench/boards.csv
 	@python3 tests/tools/board_costs.py table $<
 
-BOARD_KNOWN := $(filter $(BOARD),$(BOARDS))
+BOARD_KNOWN := $(and $(filter 1,$(words $(BOARD))),$(filter $(BOARD),$(BOARDS)))
 BOARD_ELF := $(BUILD)/$(BOARD)/app.elf
 BOARD_IMAGE := $(BUILD)/$(BOARD)/$(or $(IMAGE_$(BOARD)),app.elf)
 board-known:

@@ -39,4 +39,13 @@ if [ -n "$stack" ] && grep -qxF "$stack" README.md; then
 else
     fail "the README's figure of the stack is not '$stack': make figures"
 fi
+
+# of every target that says what it does
+listed=$(make -s help | wc -l)
+told=$(grep -c '^[^[:space:]#]*:.*## ' Makefile)
+if [ "$listed" -eq "$told" ]; then
+    echo "ok docs: make help lists all $told targets"
+else
+    fail "make help lists $listed of $told targets"
+fi
 exit $status

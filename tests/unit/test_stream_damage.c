@@ -260,6 +260,26 @@ static void checked_nonsense_does_no_harm(void **state)
     assert_true(shown > 6000 && lost > 1000);
 }
 
+/* Each claims 64 KiB, which are those that follow: to check them all would take the square of their bytes. */
+static void headers_that_swallow_one_another_are_soon_given_up(void **state)
+{
+    enum { HEADERS = 8192, CLAIM = 65536 };
+    uint8_t head[STREAM_HEADER] = {0xF6, 'G', 'L', 'S', STREAM_VERSION, 0x40};
+    uint8_t *none = calloc(CLAIM, 1);
+    struct stream_case_view view;
+    (void)state;
+    head[STREAM_AT_LENGTH + 2] = CLAIM >> 16;
+    put_crc(head + STREAM_AT_CRC, scene_crc32(0, head, STREAM_AT_CRC));
+    watch(&view);
+    for (unsigned i = 0; i < HEADERS; i++)
+        frames_push(&view.frames, head, sizeof head);
+    frames_push(&view.frames, none, CLAIM);
+    assert_in_range(view.frames.parser.damaged, 1, 17 * (HEADERS * STREAM_HEADER + CLAIM) / CLAIM + 1);
+    stream_case_take(&view, tape.out.bytes, tape.out.count);
+    assert_int_equal(view.shown, ALL);
+    free(none);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -272,6 +292,7 @@ int main(void)
         cmocka_unit_test(what_stands_between_messages_is_passed_over),
         cmocka_unit_test(a_torn_stream_shows_nothing_wrong),
         cmocka_unit_test(checked_nonsense_does_no_harm),
+        cmocka_unit_test(headers_that_swallow_one_another_are_soon_given_up),
     };
     return cmocka_run_group_tests(tests, record, forget);
 }

@@ -19,7 +19,8 @@ function fail(message, code = 3) {
     console.error(message);
     process.exit(code);
 }
-if (!(port >= 0 && port < 65536)) fail('usage: serve.mjs MODULES IMAGE.uf2 PORT', 2);
+if (port === undefined) fail('usage: serve.mjs MODULES IMAGE.uf2 PORT', 2);
+if (!/^\d+$/.test(port) || port > 65535) fail(`PORT=${port}: no port, 0 to 65535`, 2);
 
 let board, lines = [], lookedAt = -Infinity, code;
 try {

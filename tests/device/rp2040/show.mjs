@@ -22,7 +22,8 @@ function moments(buttons) {
 }
 
 try {
-    if (!(seconds > 0)) throw new RangeError('usage: show.mjs MODULES IMAGE.uf2 PICTURE SECONDS [BUTTON@MS...]');
+    if (!(seconds > 0)) throw new RangeError(seconds === undefined ?
+        'usage: show.mjs MODULES IMAGE.uf2 PICTURE SECONDS [BUTTON@MS...]' : `SECONDS=${seconds}: no number above 0`);
     const board = openBoard(modules), script = moments(board.wires.buttons);
     board.boot(flashFromUf2(image));
     board.onLine = (text) => console.log(text);
