@@ -126,7 +126,7 @@ int main(void)
     if (panel->display.ops->open(&panel->display, board->width, board->height, (enum hal_pixel_format)board->format) !=
         0)
         return 3;
-    panel_bars(panel); /* the first picture turns the panel on, which takes its time */
+    panel_bars(panel, board->band[0]); /* the first picture turns the panel on, which takes its time */
     /* what two cores share is begun once and not taken back: those of one core first */
     for (unsigned cores = 1; cores <= (board->core ? 2u : 1u); cores++)
         for (unsigned s = 0; s < program_scene_count; s++)
