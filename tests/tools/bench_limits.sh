@@ -21,8 +21,8 @@ awk -F, '
     # with the colour table, the way meant for RGB565; a frame after the one that builds it
     $3 == "x" && $5 == 1 { next_frame[$1, $2, $4] = $7 }
     END {
-        limit("m4", "bench-torus288", 1.6); limit("m0plus", "bench-torus288", 2.5)
-        limit("m4", "bench-torus4000", 3.9); limit("m0plus", "bench-torus4000", 6.7)
+        limit("m4", "bench-torus288", 1.35); limit("m0plus", "bench-torus288", 1.9)
+        limit("m4", "bench-torus4000", 3.9); limit("m0plus", "bench-torus4000", 6.4)
         for (c = 1; c <= split("m0plus m3 m4", cpu, " "); c++) {
             bands(cpu[c], "bench-torus288"); bands(cpu[c], "bench-torus4000")
         }
