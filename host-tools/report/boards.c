@@ -12,7 +12,7 @@
 
 /* Figures of a row, in their order in the file. */
 struct boards_kind {
-    const char *scale; /* of the unit of its first figure */
+    const char *unit; /* of its figures that are no bytes; null: millions of the first one's, or bytes */
     const char *const (*figures)[2];
     unsigned count;
 };
@@ -29,9 +29,15 @@ static const char *const boards_picture[][2] = {
     {"bytes", "bytes"},
     {"bytes_changes", "bytes of changes"},
 };
+static const char *const boards_speed[][2] = {
+    {"real", "a picture"},       {"user", "of it in the program"},
+    {"system", "in the kernel"}, {"cpu", "CPU, %"},
+    {"bytes", "bytes"},          {"wire", "whole on a real panel\u2019s wire"},
+};
 static const struct boards_kind boards_kinds[] = {
-    {"", boards_program, COUNT(boards_program)},
-    {"million ", boards_picture, COUNT(boards_picture)},
+    {"bytes", boards_program, COUNT(boards_program)},
+    {NULL, boards_picture, COUNT(boards_picture)},
+    {"ms", boards_speed, COUNT(boards_speed)},
 };
 
 static const char boards_head[] = "board,what,figure,unit,number";
@@ -52,10 +58,11 @@ static bool boards_name(const char *text, size_t size)
 
 static void boards_row(struct boards *boards, const char *board, const char *what, const char *unit)
 {
-    const struct boards_kind *kind = &boards_kinds[strcmp(what, "program") != 0];
+    const struct boards_kind *kind = &boards_kinds[strcmp(what, "program") == 0 ? 0 : strcmp(unit, "us") == 0 ? 2 : 1];
     if (kind != boards->kind || strcmp(board, boards->board) != 0) {
         fprintf(boards->out, "%s<div class=\"wide\"><table>\n<tr><th>%s, %s%s</th>",
-                boards->kind ? "</table></div>\n" : "", board, kind->scale, unit);
+                boards->kind ? "</table></div>\n" : "", board, kind->unit ? "" : "million ",
+                kind->unit ? kind->unit : unit);
         for (unsigned i = 0; i < kind->count; i++)
             fprintf(boards->out, "<th>%s</th>", kind->figures[i][1]);
         fprintf(boards->out, "</tr>\n");
@@ -81,7 +88,9 @@ static const char *boards_take(struct boards *boards, char *field[BOARDS_FIELDS]
         return "the row before has too few figures";
     if (strcmp(field[2], boards->kind->figures[boards->next][0]) != 0)
         return "not the figure that comes next";
-    if (strcmp(field[3], "bytes") == 0)
+    if (strcmp(field[3], "us") == 0)
+        fprintf(boards->out, "<td>%.1f</td>", number / 1e3);
+    else if (strcmp(field[3], "bytes") == 0 || strcmp(field[3], "percent") == 0)
         fprintf(boards->out, "<td>%u</td>", (unsigned)number);
     else
         fprintf(boards->out, "<td>%.2f</td>", number / 1e6);
@@ -124,7 +133,9 @@ int boards_write(FILE *out, const char *path)
         "panel whole; one of many that follow each other; and the one 50 ms later, of which only the rows that changed "
         "are sent. Instructions are counted by "
         "QEMU, where sending costs what the core does for it and no waiting; cycles by rp2040js, without waits for "
-        "flash. Flash is the program\u2019s without its scenes.</p>\n");
+        "flash. Flash is the program\u2019s without its scenes. Under "
+        "Linux, time is the guest\u2019s, an instruction a nanosecond, and its CPU makes the bits of the emulated wire "
+        "itself.</p>\n");
     errno = 0;
     FILE *file = fopen(path, "r");
     while (file && !problem && fgets(text, sizeof text, file))

@@ -36,6 +36,10 @@ boards() {
             for figure in bytes bytes_changes; do echo "$board,$scene x,$figure,bytes,7"; done
         done
     done
+    for figure in real user system; do echo "l,st 2x2,$figure,us,12${#figure}00"; done
+    echo l,st 2x2,cpu,percent,93
+    echo l,st 2x2,bytes,bytes,77
+    echo l,st 2x2,wire,us,14700
 }
 begin() { # an empty folder with good costs
     fresh
@@ -103,7 +107,8 @@ equal 'twenty powers are compared' "$(grep -cE '^<tr[^>]*><td>(5|20|50|200), (ta
 matches 'with their costs' out/index.html '<td>200, table</td>.*<td>207\.77</td><td>207\.77</td></tr>'
 matches 'the exact one is' out/index.html '<td>50, exact</td><td>0\.00</td>'
 matches 'and the free ones err as is known' out/index.html '<td>50, γ = 8</td><td>7\.62</td>'
-equal 'two boards have two tables each' "$(grep -cE '^<div class="wide"><table>$' <(sed -n '/id="boards"/,$p' out/index.html))" 4
+equal 'two boards have two tables each, Linux one' "$(grep -cE '^<div class="wide"><table>$' <(sed -n '/id="boards"/,$p' out/index.html))" 5
+matches 'with its times in ms' out/index.html '<tr><td>st 2x2</td><td>12\.4</td><td>12\.4</td><td>12\.6</td><td>93</td><td>77</td><td>14\.7</td></tr>'
 matches 'of pictures' out/index.html '<tr><td>b x</td><td>1\.25</td><td>1\.25</td><td>1\.23</td><td>1\.27</td><td>7</td><td>7</td></tr>'
 matches 'and of the program' out/index.html '<tr><td>program</td><td>55</td><td>57</td><td>56</td><td>55</td><td>58</td><td>55</td><td>510</td></tr>'
 
@@ -142,7 +147,7 @@ bad 'a column too many' flash.csv '2s/$/,1/' '^flash\.csv:2: the columns are cpu
 bad 'a file that is empty' costs.csv d '^costs\.csv: empty$'
 bad 'a figure too few' boards.csv '/n,b x,whole/d' '^boards\.csv:35: not the figure that comes next$'
 bad 'a row too short' boards.csv '/m,b x,bytes/d' '^boards\.csv:19: the row before has too few figures$'
-bad 'figures cut off' boards.csv '$d' '^boards\.csv:38: figures are missing at its end$'
+bad 'figures cut off' boards.csv '$d' '^boards\.csv:44: figures are missing at its end$'
 bad 'a name that a page cannot carry' boards.csv '2s/m/<m>/' '^boards\.csv:2: a name is '
 bad 'a figure that is no number' boards.csv '3s/,57/,x/' '^boards\.csv:3: the number is none$'
 bad 'columns too few' boards.csv '2s/,bytes//' '^boards\.csv:2: the columns are board,what,figure,unit,number$'

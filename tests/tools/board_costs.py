@@ -2,13 +2,13 @@
 # SPDX-License-Identifier: MIT
 """What pictures cost on the emulated boards.
 
-  board_costs.py run BUILD MODULES OUT.csv   runs build/<board>/cost.elf, and reads the sizes of app.elf and app-x.elf
+  board_costs.py run BUILD MODULES OUT.csv   runs build/<board>/cost.elf, reads the sizes of app.elf and app-x.elf, runs the Linux guest
   board_costs.py table OUT.csv               the same as tables
 
 A line of the file is `board,what,figure,unit,number`: what is `program`, with PROGRAM's figures in bytes, then `SCENE
 METHOD` (and `table` where a colour table is used, `two` where two cores share it) with FIGURES: drawn, drawn and sent whole, one of
 many in a row sent whole, and with what has changed 50 ms later (instructions on the LM3S6965, cycles on the RP2040), and the bytes of
-the second and the last.
+the second and the last. Of Linux: microseconds a picture, of them in the program and the kernel, CPU, bytes, and the real wire's limit.
 """
 import csv
 import os
@@ -22,6 +22,8 @@ from pico import Pico
 
 # How many of its unit go by in a microsecond, and the unit. Under -icount shift=0 an instruction takes a nanosecond.
 BOARDS = {"lm3s6965evb": (1000, "instructions"), "picosystem": (125, "cycles")}
+LINUX = "linux-virt"
+LINUX_FIGURES = "real", "user", "system", "cpu", "bytes", "wire"
 FIGURES = "drawn", "whole", "row", "changes", "bytes", "bytes_changes"
 PROGRAM = "flash", "flash_x", "static", "bands", "renderer", "stack", "stack_used"
 
@@ -70,16 +72,18 @@ def measure(build, modules, board):
             raise SystemExit(f"{board}: {line or 'it stopped'}")
 
 
+def run_lines(*command):
+    return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()
+
+
 def symbols(image):
-    out = subprocess.run(["arm-none-eabi-nm", "-S", image], check=True, stdout=subprocess.PIPE, text=True).stdout
-    for line in out.splitlines():
+    for line in run_lines("arm-none-eabi-nm", "-S", image):
         words = line.split()
         yield words[-1], int(words[0], 16), int(words[1], 16) if len(words) == 4 else 0
 
 
 def sections(image):
-    out = subprocess.run(["arm-none-eabi-size", image], check=True, stdout=subprocess.PIPE, text=True).stdout
-    return tuple(map(int, out.splitlines()[1].split()[:3]))
+    return tuple(map(int, run_lines("arm-none-eabi-size", image)[1].split()[:3]))
 
 
 def code(image):
@@ -107,6 +111,9 @@ def run(build, modules, path):
             first = {what.removesuffix(" two"): i for i, (what, *_) in reversed([*enumerate(rows)])}
             rows.sort(key=lambda row: (row[0] != "program", first[row[0].removesuffix(" two")]))
             out.writerows([board, *row] for row in rows)
+        guest = ["python3", "tests/device/linux/test_linux.py", f"{build}/armhf/debian/kernel", f"{build}/armhf/guest-v1", f"{build}/glint"]
+        for line in run_lines(*guest, "figures"):
+            out.writerow([LINUX, *line.split(",")])
     os.replace(path + ".part", path)
 
 
@@ -124,6 +131,12 @@ def table(path):
                 scene, *method = what.split()
                 print(f"| {scene} | {' '.join(names[word] for word in method)} |", " | ".join(
                     f"{figure[name] / 1e6:.2f}" for name in FIGURES[:4]), f"| {figure['bytes']} | {figure['bytes_changes']} |")
+    print(f"\n`{LINUX}`, milliseconds a picture in the guest's time:\n")
+    print("| panel | a picture | in the program | in the kernel | CPU, % | bytes | whole on a real panel's wire |\n|---|---|---|---|---|---|---|")
+    for (at, what), figure in rows.items():
+        if at == LINUX:
+            print(f"| {what} |", " | ".join(
+                str(figure[name] or "") if name in ("cpu", "bytes") else f"{figure[name] / 1e3:.1f}" for name in LINUX_FIGURES), "|")
     print("\nBytes of `firmware/app`:\n")
     print("| board | flash without scenes: all methods | X alone | static RAM | bands in it | the renderer's memory in it | stack | of it used |")
     print("|---|---|---|---|---|---|---|---|")

@@ -56,7 +56,8 @@ $(call board_program,$(1),cost,tests/device/cost.c firmware/app/share.c tests/de
 endef
 $(foreach b,$(COST_BOARDS),$(eval $(call cost_rules,$(b))))
 
-$(BUILD)/bench/boards.csv: tests/tools/board_costs.py $(SIZE_ELF) $(COST_BOARDS:%=$(BUILD)/%/cost.elf) $(BUILD)/picosystem/cost.uf2
+$(BUILD)/bench/boards.csv: tests/tools/board_costs.py $(SIZE_ELF) $(COST_BOARDS:%=$(BUILD)/%/cost.elf) $(BUILD)/picosystem/cost.uf2 \
+		$(BUILD)/armhf/guest-v1/initrd.gz $(GLINT)
 	@mkdir -p $(@D)
 	@tests/tools/rp2040js.sh $(RP2040JS) && python3 $< run $(BUILD) $(RP2040JS) $@
 

@@ -333,18 +333,18 @@ def keys(guest):
 
 
 def figures():
-    """Pictures a second and what they cost, in the guest's time: an instruction a nanosecond."""
+    """What a picture costs, in the guest's time: an instruction a nanosecond. Lines for tools/board_costs.py."""
     wire = {"st7789": 62.5e6, "ili9341": 40e6, "ssd0323": 4e6}
-    count = 15
+    count = 10
     with Guest(kernel, folder, counted=0, traced=False) as guest:
         for name in ("st7789", "ili9341", "ssd0323"):
             options = BY_SPIDEV
             if name == "ssd0323":
                 guest.run(UNBIND)
                 options = BY_LINES
-            for more in ("--whole", ""):
+            for rows, more in (("all rows", "--whole"), ("changed rows", "")):
                 case = Case(guest, name, options=options)
-                counter = "cat /sys/class/spi_master/spi0/statistics/bytes 2>/dev/null || echo 0"
+                counter = "cat /sys/class/spi_master/spi0/statistics/bytes 2>/dev/null || echo 0"  # none of bits by lines
                 line = f"time -f 'took %e %U %S' {case.options} --scene demo --figures=off --step 33 --fps 1000 --frames"
                 took, sent = [], []
                 for frames in (1, 1 + count):  # the start is not theirs
@@ -352,12 +352,15 @@ def figures():
                     status, said = guest.run(f"{line} {frames} {more}", 300)
                     sent.append(int(guest.run(counter)[1]) - before)
                     took.append([float(word) for word in re.search(r"took (\S+) (\S+) (\S+)", said).groups()])
-                real, user, system = (1000 * (b - a) / count for a, b in zip(*took))
+                real, user, system = (round(1e6 * (b - a) / count) for a, b in zip(*took))
                 size = "{}x{}".format(*case.size)
                 bits = case.size[0] * case.size[1] * (4 if case.greys else 16)
-                print(f"{version} {name} {size} {more or 'changed rows':12}: {1000 / real:5.1f} pictures/s, CPU {100 * (user + system) / real:3.0f} % "
-                      f"({user:.1f} ms drawing, {system:.1f} ms kernel and wire a picture), {(sent[1] - sent[0]) / count:.0f} bytes/picture; "
-                      f"a whole picture on a real wire at {wire[name] / 1e6} MHz: {1000 * bits / wire[name]:.1f} ms")
+                figures = (("real", "us", real), ("user", "us", user), ("system", "us", system),
+                           ("cpu", "percent", round(100 * (user + system) / real)),
+                           ("bytes", "bytes", round((sent[1] - sent[0]) / count)),
+                           ("wire", "us", round(1e6 * bits / wire[name])))
+                for figure, unit, number in figures:
+                    print(f"{name} {size} {rows},{figure},{unit},{number}", flush=True)
 
 
 def timed():
