@@ -5,13 +5,14 @@
 import fs from 'node:fs';
 import {createRequire} from 'node:module';
 import path from 'node:path';
+import {fileURLToPath} from 'node:url';
 import {SecondCore} from './second.mjs';
 import {St7789} from './st7789.mjs';
 
 const FLASH = 0x10000000, BOOT2_AT = 0x20041f00;
 const FUNCTION_SPI = 1, FUNCTION_PWM = 4;
 const EXC_HARDFAULT = 3, WATCHDOG = 0x40058, DMA_ABORT = 0x50000444;
-const BOARDS = path.join(import.meta.dirname, '../../../boards');
+const BOARDS = fileURLToPath(new URL('../../../boards', import.meta.url));
 
 // The board that the environment's BOARD names, else a PicoSystem; MODULES: the folder rp2040js was installed into.
 export function openBoard(modules) {

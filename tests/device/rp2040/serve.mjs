@@ -78,7 +78,7 @@ function step() {
 const routes = {
     'GET /': (_, response) => {
         response.setHeader('Content-Type', 'text/html; charset=utf-8');
-        response.end(fs.readFileSync(path.join(import.meta.dirname, 'handheld.html')));
+        response.end(fs.readFileSync(new URL('handheld.html', import.meta.url)));
     },
     'GET /board': (_, response) => {
         response.setHeader('Content-Type', 'application/json');
