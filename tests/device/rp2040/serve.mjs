@@ -8,7 +8,6 @@
 //   POST /button?name=A&held=1          presses a button; held=0 releases it
 import fs from 'node:fs';
 import http from 'node:http';
-import path from 'node:path';
 import {flashFromUf2, openBoard} from './board.mjs';
 
 const SLICE_S = 0.004, LINGER_MS = 3000, BEHIND_MS = 100;
