@@ -79,6 +79,12 @@ flash DRY_RUN=0
 [ $told -eq 3 ] && [[ $message == *"+ picotool load -x $image"*"No accessible"*"picotool failed"* ]]
 verdict "picotool is asked where there is no volume, and its failure told" $?
 rm "$out/no-picotool/picotool"
+printf '#!/bin/sh\nexit 0\n' >"$out/no-picotool/npm"
+chmod +x "$out/no-picotool/npm"
+message=$(PATH="$out/no-picotool:$PATH" DEPS='' tests/tools/rp2040js.sh "$out/no-node" 2>&1)
+[ $? -eq 1 ] && [[ $message == *"npm failed: no network"*"install it with: npm install"* ]]
+verdict "an npm that brings nothing is told" $?
+rm "$out/no-picotool/npm"
 message=$(${MAKE:-make} -s BOARD=none board-flash 2>&1)
 [ $? -eq 2 ] && [[ $message == *"give BOARD=, one of: "*picosystem* ]]
 verdict "make flash without a board that is known lists them" $?

@@ -4,8 +4,10 @@
 set -u
 folder=$1
 version=1.4.1
-[ -f "$folder/node_modules/rp2040js/package.json" ] &&
-    grep -q "\"version\": \"$version\"" "$folder/node_modules/rp2040js/package.json" && exit 0
+there() {
+    grep -qs "\"version\": \"$version\"" "$folder/node_modules/rp2040js/package.json"
+}
+there && exit 0
 command="npm install --prefix $folder --no-audit --no-fund --silent rp2040js@$version"
 give_up() {
     echo "rp2040js: $1" >&2
@@ -16,4 +18,5 @@ give_up() {
 command -v npm >/dev/null || give_up "there is no npm (Debian: apt-get install nodejs npm)"
 echo "+ $command" >&2
 mkdir -p "$folder"
-$command >&2 || give_up "npm failed: no network, or no registry?"
+# npm 9 can fail to fetch and yet exit with 0.
+$command >&2 && there || give_up "npm failed: no network, or no registry?"
