@@ -92,6 +92,7 @@ def page():
     lines, size = [], 0
     try:
         url = next(word for word in server.stdout.readline().split() if word.startswith("http://"))
+        url = url.replace("localhost", "127.0.0.1")  # where it listens, whatever this machine calls that
 
         def ask(path, data=None):
             with urllib.request.urlopen(url + path, data, timeout=60) as answer:
