@@ -87,9 +87,10 @@ def sections(image):
 
 
 def code(image):
-    """Flash without the scenes."""
+    """Flash without the scenes, which are the objects of that name: there are functions too."""
     text, data, _ = sections(image)
-    return text + data - sum(size for name, _, size in symbols(image) if name.startswith("scene_"))
+    scenes = [line.split() for line in run_lines("arm-none-eabi-objdump", "-t", image) if re.search(r" O \S+\t\S+ scene_", line)]
+    return text + data - sum(int(words[-2], 16) for words in scenes)
 
 
 def sizes(build, board):
