@@ -21,11 +21,6 @@ static const struct record_kind *record_find(const char *path)
     return NULL;
 }
 
-bool record_takes(const char *path)
-{
-    return record_find(path);
-}
-
 static int record_problem(const char *path, int result)
 {
     const char *reason = result == HAL_E_FULL ? "out of memory"

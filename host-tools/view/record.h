@@ -32,10 +32,7 @@ struct record {
     uint8_t *held, *before;   /* animated PNG: a picture is written when it is known how long it lasts */
 };
 
-/* By its ending, the path is that of a film. */
-bool record_takes(const char *path);
-
-/* Nothing is opened before the first picture. The path stays the caller's. */
+/* CLI_BAD_USAGE for another ending. Nothing is opened before the first picture. The path stays the caller's. */
 int record_open(struct record *record, const char *path);
 
 /* Does nothing if it is closed. Where size or format is another than before, the film ends, is kept and CLI_BAD_DATA
