@@ -15,6 +15,7 @@ static unsigned remote_do(struct app *app, const struct stream_request *request)
 {
     struct control *c = &app->control;
     uint32_t value = request->value;
+    app->remote.stream.heard = request->sequence;
     switch (request->type) {
     case STREAM_KEY_PLEASE:
         app->remote.asked = 1;
