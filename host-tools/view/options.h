@@ -15,7 +15,9 @@ struct options {
     uint32_t frames;                                   /* wanted; 0: all */
     uint32_t record_fps;
     uint32_t budget, pause; /* to be asked for, or OPTIONS_NONE */
-    bool headless;
+    uint32_t scale, rotate; /* 0: as it fits; degrees */
+    bool headless;          /* also implied by what has no use for a window */
+    bool fullscreen;
     bool trace, names; /* print a line for each picture; what the device offers */
 };
 

@@ -39,7 +39,7 @@ static int port_set_line(struct port *port)
 int port_open(struct port *port, const char *input)
 {
     struct stat there;
-    *port = (struct port){.name = input};
+    *port = (struct port){.name = input, .there = true, .connections = 1};
     if (strcmp(input, "-") == 0) {
         port->name = "standard input";
         port->file = STDIN_FILENO;
@@ -53,7 +53,7 @@ int port_open(struct port *port, const char *input)
         port_close(port);
         return code;
     }
-    port->asks = !plain;
+    port->asks = port->polls = !plain;
     if (plain && S_ISDIR(there.st_mode))
         errno = EISDIR;
     else if (plain || (isatty(port->file) && port_set_line(port) == 0))

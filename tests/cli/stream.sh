@@ -59,7 +59,7 @@ matches 'saying how many there were' "$top/err" '^good.stream: only 6 pictures i
 head -c $((size / 30)) good.stream >short.stream
 run 'a stream without a whole picture fails' 1 "$view" file:short.stream --dump none
 echo 'no stream' >words
-run 'as does what is none' 1 "$view" file:words
+run 'as does what is none' 1 "$view" file:words --headless
 run 'a missing file is named' 3 "$view" file:nowhere
 matches 'with the reason' "$top/err" '^nowhere: No such file'
 run 'a file is no serial line' 3 "$view" good.stream
