@@ -14,6 +14,10 @@ static const char options_help[] =
     "is\n"
     "asked for each picture. Only whole pictures are taken; one that was damaged on the way is left out.\n\n"
     "      --dump DIR         write them to DIR/frame-0000.png and so on\n"
+    "      --record FILE      make a film of them, by the device's clock: animated PNG (.png, .apng) or YUV4MPEG2 "
+    "(.y4m)\n"
+    "      --record-fps N     pictures a second of .y4m, 1..1000; the default is 60\n"
+    "      --save FILE        keep the stream as it comes, for file:FILE\n"
     "      --frames N         end after N pictures, 1..1000000; the default is all\n"
     "      --headless         open no window, which it does not so far: pictures are written, counted and listed\n"
     "      --trace            print a line for each, with the CRC-32 of its bytes as drawn\n"
@@ -28,6 +32,9 @@ static const char options_help[] =
 enum options_letter {
     OPTIONS_HELP = 'h',
     OPTIONS_DUMP = 256,
+    OPTIONS_RECORD,
+    OPTIONS_RECORD_FPS,
+    OPTIONS_SAVE,
     OPTIONS_FRAMES,
     OPTIONS_HEADLESS,
     OPTIONS_TRACE,
@@ -39,19 +46,33 @@ enum options_letter {
     OPTIONS_RUN,
 };
 
-static const struct option options_long[] = {
-    {"dump", required_argument, NULL, OPTIONS_DUMP},     {"frames", required_argument, NULL, OPTIONS_FRAMES},
-    {"headless", no_argument, NULL, OPTIONS_HEADLESS},   {"trace", no_argument, NULL, OPTIONS_TRACE},
-    {"names", no_argument, NULL, OPTIONS_NAMES},         {"scene", required_argument, NULL, OPTIONS_SCENE},
-    {"method", required_argument, NULL, OPTIONS_METHOD}, {"budget", required_argument, NULL, OPTIONS_BUDGET},
-    {"pause", no_argument, NULL, OPTIONS_PAUSE},         {"run", no_argument, NULL, OPTIONS_RUN},
-    {"help", no_argument, NULL, OPTIONS_HELP},           {0}};
+static const struct option options_long[] = {{"dump", required_argument, NULL, OPTIONS_DUMP},
+                                             {"record", required_argument, NULL, OPTIONS_RECORD},
+                                             {"record-fps", required_argument, NULL, OPTIONS_RECORD_FPS},
+                                             {"save", required_argument, NULL, OPTIONS_SAVE},
+                                             {"frames", required_argument, NULL, OPTIONS_FRAMES},
+                                             {"headless", no_argument, NULL, OPTIONS_HEADLESS},
+                                             {"trace", no_argument, NULL, OPTIONS_TRACE},
+                                             {"names", no_argument, NULL, OPTIONS_NAMES},
+                                             {"scene", required_argument, NULL, OPTIONS_SCENE},
+                                             {"method", required_argument, NULL, OPTIONS_METHOD},
+                                             {"budget", required_argument, NULL, OPTIONS_BUDGET},
+                                             {"pause", no_argument, NULL, OPTIONS_PAUSE},
+                                             {"run", no_argument, NULL, OPTIONS_RUN},
+                                             {"help", no_argument, NULL, OPTIONS_HELP},
+                                             {0}};
 
 static void options_flag(struct options *options, int letter)
 {
     switch (letter) {
     case OPTIONS_DUMP:
         options->dump = optarg;
+        break;
+    case OPTIONS_RECORD:
+        options->record = optarg;
+        break;
+    case OPTIONS_SAVE:
+        options->save = optarg;
         break;
     case OPTIONS_HEADLESS:
         options->headless = true;
@@ -89,6 +110,9 @@ int options_parse(struct options *options, int argc, char **argv)
         case OPTIONS_FRAMES:
             good = cli_number(optarg, 1, 1000000, &options->frames);
             break;
+        case OPTIONS_RECORD_FPS:
+            good = cli_number(optarg, 1, 1000, &options->record_fps);
+            break;
         case OPTIONS_BUDGET:
             good = cli_number(optarg, 1, 255, &options->budget);
             break;
@@ -101,7 +125,8 @@ int options_parse(struct options *options, int argc, char **argv)
     if (argc - optind != 1)
         return cli_usage(OPTIONS_NAME, "one input is needed");
     options->input = argv[optind];
-    if (!*options->input || strcmp(options->input, "file:") == 0 || (options->dump && !*options->dump))
+    if (!*options->input || strcmp(options->input, "file:") == 0 || (options->dump && !*options->dump) ||
+        (options->record && !*options->record) || (options->save && !*options->save))
         return cli_usage(OPTIONS_NAME, "a name is empty");
     return -1;
 }

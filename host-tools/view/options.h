@@ -11,9 +11,10 @@
 
 struct options {
     const char *input;
-    const char *dump, *scene, *method; /* or null */
-    uint32_t frames;                   /* wanted; 0: all */
-    uint32_t budget, pause;            /* to be asked for, or OPTIONS_NONE */
+    const char *dump, *scene, *method, *record, *save; /* or null */
+    uint32_t frames;                                   /* wanted; 0: all */
+    uint32_t record_fps;
+    uint32_t budget, pause; /* to be asked for, or OPTIONS_NONE */
     bool headless;
     bool trace, names; /* print a line for each picture; what the device offers */
 };

@@ -46,6 +46,8 @@ static void session_picture(void *context, const struct frames_picture *p)
         s->code = dump_folder(o->dump);
     if (o->dump && s->code == CLI_DONE)
         s->code = dump_picture(o->dump, s->pictures, p);
+    if (s->code == CLI_DONE)
+        s->code = record_picture(&s->record, p);
     s->pictures++;
     if (o->trace)
         session_trace(p);
@@ -113,6 +115,7 @@ static bool session_step(struct session *s)
     if (count == PORT_FAILED)
         s->code = CLI_IO;
     if (count > 0) {
+        s->code = s->code ? s->code : save_bytes(&s->save, bytes, (size_t)count);
         frames_push(&s->frames, bytes, (size_t)count);
         s->asked = s->port.asks && s->frames.parser.count ? cli_clock() : s->asked; /* it is answering */
     }
@@ -147,7 +150,11 @@ static int session_open(struct session *s, const struct options *o)
     s->scene = s->method = OPTIONS_NONE;
     s->asked = cli_clock() - SESSION_AGAIN_MS;
     cli_catch_signals();
-    int code = port_open(&s->port, o->input);
+    s->save.path = o->save;
+    s->record.rate = o->record_fps;
+    int code = o->record ? record_open(&s->record, o->record) : CLI_DONE;
+    if (!code)
+        code = port_open(&s->port, o->input);
     if (!code && asking && !s->port.asks)
         code = cli_usage(OPTIONS_NAME, "%s is no device that could be asked for a scene, method, budget or pause",
                          s->port.name);
@@ -167,6 +174,8 @@ int session_run(struct session *s, const struct options *options)
     code = s->code;
     if (!code && !cli_interrupted())
         code = session_tell(s);
+    int recorded = record_close(&s->record, true), saved = save_close(&s->save);
+    code = code ? code : recorded ? recorded : saved;
     frames_close(&s->frames);
     port_close(&s->port);
     return code;
