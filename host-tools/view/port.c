@@ -7,6 +7,13 @@
 #include "scene/scene.h"
 #ifdef HAVE_LIBUSB
 #include "view/usb.h"
+#include "view/usb_find.h"
+#else
+static int port_no_usb(void)
+{
+    fprintf(stderr, "usb: this glint-view was built without libusb-1.0\n");
+    return CLI_IO;
+}
 #endif
 
 #include <errno.h>
@@ -124,8 +131,16 @@ int port_open(struct port *port, const char *input, const char *serial)
     return usb_open(port, input[sizeof usb - 1] ? input + sizeof usb - 1 : serial);
 #else
     (void)serial;
-    fprintf(stderr, "%s: this glint-view was built without libusb-1.0\n", input);
-    return CLI_IO;
+    return port_no_usb();
+#endif
+}
+
+int port_list(void)
+{
+#ifdef HAVE_LIBUSB
+    return usb_find_list();
+#else
+    return port_no_usb();
 #endif
 }
 

@@ -56,4 +56,7 @@ void port_message(uint8_t message[STREAM_HEADER], enum stream_type type, uint32_
 
 void port_close(struct port *port);
 
+/* Prints a line for each device on USB: an exit code, with a message. */
+int port_list(void);
+
 #endif

@@ -37,9 +37,9 @@ struct usb {
     struct queue received, requests;
     char serial[USB_FIND_TEXT]; /* the one wanted; "": any */
     char name[USB_FIND_TEXT + 4];
-    bool arrived;          /* the library has seen a device come */
-    double look;           /* when to look again */
-    int trouble, told;     /* what the last look gave, and of that the last that was told */
+    bool arrived;      /* the library has seen a device come */
+    double look;       /* when to look again */
+    int trouble, told; /* what the last look gave, and of that the last that was told */
     uint8_t in_bytes[USB_IN][USB_BYTES], out_bytes[STREAM_HEADER];
     uint8_t received_bytes[USB_QUEUE], request_bytes[USB_WAITING * STREAM_HEADER];
 };
@@ -149,8 +149,8 @@ static void usb_arrive(struct usb *u, unsigned others)
 {
     const struct usb_device *d = &u->device;
     for (unsigned i = 0; i < USB_IN; i++)
-        libusb_fill_bulk_transfer(u->in[i].transfer, d->handle, d->in, u->in[i].bytes, USB_BYTES, usb_received, &u->in[i],
-                                  0);
+        libusb_fill_bulk_transfer(u->in[i].transfer, d->handle, d->in, u->in[i].bytes, USB_BYTES, usb_received,
+                                  &u->in[i], 0);
     libusb_fill_bulk_transfer(u->out.transfer, d->handle, d->out, u->out.bytes, STREAM_HEADER, usb_sent, &u->out, 0);
     u->stalls = 0;
     snprintf(u->serial, sizeof u->serial, "%s", d->serial);
@@ -262,7 +262,9 @@ static int usb_send(struct port *port, const uint8_t message[STREAM_HEADER])
 static void usb_missing(struct port *port)
 {
     struct usb *u = port->usb;
-    if (u->trouble != u->told || u->trouble == LIBUSB_ERROR_NOT_FOUND)
+    if (port->there)
+        fprintf(stderr, "%s: no answer\n", u->name);
+    else if (u->trouble != u->told || u->trouble == LIBUSB_ERROR_NOT_FOUND)
         usb_tell(u);
 }
 

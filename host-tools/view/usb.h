@@ -8,8 +8,8 @@
 
 #include "view/port.h"
 
-/* The device of that serial number, or with null the first that is free, and from then on that one. It need not be there
- * yet. An exit code, with a message. */
+/* The device of that serial number, or with null the first that is free, and from then on that one. It need not be
+ * there yet. An exit code, with a message. */
 int usb_open(struct port *port, const char *serial);
 
 #endif
