@@ -107,7 +107,8 @@ int port_ask(struct port *port, enum stream_type type, uint32_t value)
     size_t sent = 0;
     if (!port->asks)
         return CLI_DONE;
-    port_message(message, type, value, port->sequence++);
+    port->sequence = (uint16_t)(port->sequence == UINT16_MAX ? 1 : port->sequence + 1);
+    port_message(message, type, value, port->sequence);
     for (int tries = 0; sent < sizeof message && tries < 100 && !cli_interrupted();) {
         struct pollfd there = {.fd = port->file, .events = POLLOUT};
         ssize_t count = poll(&there, 1, 20) > 0 ? write(port->file, message + sent, sizeof message - sent) : 0;

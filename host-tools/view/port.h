@@ -13,8 +13,8 @@
 struct port {
     const char *name; /* for messages */
     int file;
-    bool asks; /* a device is at the other end */
-    uint16_t sequence;
+    bool asks;         /* a device is at the other end */
+    uint16_t sequence; /* of the last request, from 1 on; 0: none so far */
 };
 
 /* "file:PATH", "-" or the path of a serial line, which is set to PORT_BAUD, 8N1, without any translation. Exit codes as
