@@ -16,7 +16,7 @@ for program in "$@"; do
     cp "$program" "$root/bin/${name%-"$version"}"
 done
 cp "$board" "$root/etc/glint/board.conf"
-for library in ld-linux-armhf.so.3 libc.so.6 libm.so.6; do
+for library in ld-linux-armhf.so.3 libc.so.6 libm.so.6 libpthread.so.0; do
     cp -L "$(arm-linux-gnueabihf-gcc -print-file-name=$library)" "$root/lib/"
 done
 cp -a "$debian/$version"/usr/lib/arm-linux-gnueabihf/libgpiod.so.* "$root/lib/"
