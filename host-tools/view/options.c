@@ -8,12 +8,19 @@
 #include <stdio.h>
 #include <string.h>
 
+#define OPTIONS_WAIT_DEFAULT 10 /* seconds */
+
 static const char options_help[] =
-    "usage: glint-view INPUT [OPTION]...\n\n"
-    "Takes pictures from a device's stream: `glint render --stream`, or a board's serial line.\n\n"
-    "INPUT is file:PATH for a recording, - for standard input, or a serial port as /dev/ttyUSB0 (115200 baud), which "
-    "is\n"
-    "asked for each picture. Only whole pictures are taken; one that was damaged on the way is left out.\n\n"
+    "usage: glint-view [INPUT] [OPTION]...\n\n"
+    "Takes pictures from a device's stream: from USB, a board's serial line or `glint render --stream`.\n\n"
+    "INPUT is usb: or usb:SERIAL for a device on USB, which may come and go; file:PATH for a recording, - for "
+    "standard\n"
+    "input, or a serial port as /dev/ttyUSB0 (115200 baud), which is asked for each picture. Without INPUT it is "
+    "usb:.\n"
+    "Only whole pictures are taken; one that was damaged on the way is left out.\n\n"
+    "      --list             list the devices on USB: serial number, product, speed, bus and ports\n"
+    "      --serial SERIAL    of several take this one\n"
+    "      --wait N           end when nothing has come for N seconds, 1..86400; with --headless 10, else for ever\n"
     "      --dump DIR         write them to DIR/frame-0000.png and so on\n"
     "      --record FILE      make a film of them, by the device's clock: animated PNG (.png, .apng) or YUV4MPEG2 "
     "(.y4m)\n"
@@ -38,7 +45,10 @@ static const char options_codes[] =
 
 enum options_letter {
     OPTIONS_HELP = 'h',
-    OPTIONS_DUMP = 256,
+    OPTIONS_LIST = 256,
+    OPTIONS_SERIAL,
+    OPTIONS_WAIT,
+    OPTIONS_DUMP,
     OPTIONS_RECORD,
     OPTIONS_RECORD_FPS,
     OPTIONS_SAVE,
@@ -56,7 +66,10 @@ enum options_letter {
     OPTIONS_RUN,
 };
 
-static const struct option options_long[] = {{"dump", required_argument, NULL, OPTIONS_DUMP},
+static const struct option options_long[] = {{"list", no_argument, NULL, OPTIONS_LIST},
+                                             {"serial", required_argument, NULL, OPTIONS_SERIAL},
+                                             {"wait", required_argument, NULL, OPTIONS_WAIT},
+                                             {"dump", required_argument, NULL, OPTIONS_DUMP},
                                              {"record", required_argument, NULL, OPTIONS_RECORD},
                                              {"record-fps", required_argument, NULL, OPTIONS_RECORD_FPS},
                                              {"save", required_argument, NULL, OPTIONS_SAVE},
@@ -78,6 +91,12 @@ static const struct option options_long[] = {{"dump", required_argument, NULL, O
 static void options_flag(struct options *options, int letter)
 {
     switch (letter) {
+    case OPTIONS_LIST:
+        options->list = true;
+        break;
+    case OPTIONS_SERIAL:
+        options->serial = optarg;
+        break;
     case OPTIONS_DUMP:
         options->dump = optarg;
         break;
@@ -125,6 +144,9 @@ int options_parse(struct options *options, int argc, char **argv)
             return CLI_DONE;
         case '?':
             return CLI_BAD_USAGE;
+        case OPTIONS_WAIT:
+            good = cli_number(optarg, 1, 86400, &options->wait);
+            break;
         case OPTIONS_FRAMES:
             good = cli_number(optarg, 1, 1000000, &options->frames);
             break;
@@ -146,12 +168,17 @@ int options_parse(struct options *options, int argc, char **argv)
         if (!good)
             return cli_refuse(OPTIONS_NAME, options_help, options_long[index].name, optarg);
     }
-    if (argc - optind != 1)
-        return cli_usage(OPTIONS_NAME, "one input is needed");
-    options->input = argv[optind];
+    if (argc - optind > !options->list)
+        return cli_usage(OPTIONS_NAME, options->list ? "--list takes no input" : "there is more than one input");
+    options->input = argc == optind ? "usb:" : argv[optind];
+    if (options->serial && strcmp(options->input, "usb:") != 0)
+        return cli_usage(OPTIONS_NAME, "--serial goes with the input usb:");
     options->headless |= options->dump || options->frames || options->trace || options->names;
+    if (options->headless && !options->wait)
+        options->wait = OPTIONS_WAIT_DEFAULT;
     if (!*options->input || strcmp(options->input, "file:") == 0 || (options->dump && !*options->dump) ||
-        (options->record && !*options->record) || (options->save && !*options->save))
+        (options->serial && !*options->serial) || (options->record && !*options->record) ||
+        (options->save && !*options->save))
         return cli_usage(OPTIONS_NAME, "a name is empty");
     return -1;
 }

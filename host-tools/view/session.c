@@ -123,26 +123,39 @@ static void session_ask(struct session *s)
         session_send(s, STREAM_KEY_PLEASE, 0);
 }
 
-/* Greets a device that has come, and asks one that owes an answer. */
+/* A device has come: all that was heard is of another. It is asked at once. */
+static void session_connect(struct session *s)
+{
+    frames_restart(&s->frames);
+    meter_restart(&s->live.meter);
+    s->connections = s->port.connections;
+    s->obeyed = false;
+    s->asked = 0.;
+}
+
+/* One that sends only when asked is asked for each picture; any, when it owes an answer. */
 static void session_request(struct session *s)
 {
     const struct port *port = &s->port;
     double now = cli_clock();
+    bool due = now - s->asked >= (port->polls ? SESSION_POLL_MS : SESSION_AGAIN_MS);
     if (!port->asks || !port->there)
         return;
-    if (s->connections != port->connections) {
-        s->connections = port->connections;
-        frames_restart(&s->frames);
-        meter_restart(&s->live.meter);
-        s->obeyed = false;
-        s->asked = 0.;
-    }
-    bool due = now - s->asked >= (port->polls ? SESSION_POLL_MS : SESSION_AGAIN_MS);
     if (port->polls ? due || s->seen != s->frames.pictures : due && (s->frames.want_key || !s->obeyed)) {
         session_ask(s);
         s->seen = s->frames.pictures;
         s->asked = now;
     }
+}
+
+/* True if nobody has said anything for too long. */
+static bool session_silent(struct session *s)
+{
+    double now = cli_clock();
+    if (s->messages != s->frames.parser.messages)
+        s->heard = now;
+    s->messages = s->frames.parser.messages;
+    return s->port.asks && s->options->wait && now - s->heard >= 1000. * s->options->wait;
 }
 
 /* What the port has to say: false if nothing will follow. */
@@ -164,6 +177,8 @@ static bool session_hear(struct session *s)
 static bool session_step(struct session *s)
 {
     bool window = s->live.window;
+    if (s->connections != s->port.connections)
+        session_connect(s);
     session_request(s);
     if (s->at == s->count && !s->ended && !live_holds(s) && !session_hear(s)) {
         frames_finish(&s->frames);
@@ -173,6 +188,10 @@ static bool session_step(struct session *s)
         size_t size = s->count - s->at < LIVE_SLICE || !window ? s->count - s->at : LIVE_SLICE;
         frames_push(&s->frames, s->bytes + s->at, size);
         s->at += size;
+    }
+    if (s->code == CLI_DONE && session_silent(s)) {
+        port_missing(&s->port);
+        s->code = CLI_IO;
     }
     if (window && (!s->ended || s->frames.pictures)) /* the last picture stays; without any there is nothing to see */
         return live_step(s);
@@ -209,12 +228,13 @@ static int session_open(struct session *s, const struct options *o)
     s->wishes[SESSION_BUDGET] = o->budget;
     s->wishes[SESSION_PAUSE] = o->pause;
     s->wishes[SESSION_SCENE] = s->wishes[SESSION_METHOD] = OPTIONS_NONE;
+    s->heard = cli_clock();
     cli_catch_signals();
     s->save.path = o->save;
     s->record.rate = o->record_fps;
     int code = o->record ? record_open(&s->record, o->record) : CLI_DONE;
     if (!code)
-        code = port_open(&s->port, o->input);
+        code = port_open(&s->port, o->input, o->serial);
     if (!code && asking && !s->port.asks)
         code = cli_usage(OPTIONS_NAME, "%s is no device that could be asked for a scene, method, budget or pause",
                          s->port.name);
@@ -237,6 +257,7 @@ int session_run(struct session *s, const struct options *options)
     code = code ? code : recorded ? recorded : saved;
     live_close(&s->live);
     frames_close(&s->frames);
-    port_close(&s->port);
+    if (s->port.ops)
+        port_close(&s->port);
     return code;
 }

@@ -26,6 +26,8 @@ struct session {
     bool obeyed;                     /* by the last picture, in all of these: those before do not count */
     double asked;                    /* when, by cli_clock() */
     uint32_t seen;                   /* pictures when it was */
+    double heard;                    /* when the last good message had come */
+    uint32_t messages;               /* that had */
     unsigned connections;            /* of the port, that have been greeted */
     uint32_t pictures;               /* that count */
     uint64_t counted;                /* their bytes */
