@@ -92,12 +92,12 @@ static bool live_show(struct session *s)
         l->controls.steps -= l->controls.steps != 0;
     else
         playback_shown(&l->playback, p->time_us, live_us());
-    const struct frames_picture before = l->shown.picture;
-    const struct live_picture shown = l->next;
-    l->next = l->shown;
-    l->shown = shown;
+    const struct live_picture before = l->shown;
+    l->shown = l->next;
+    l->next = before;
     l->waits = false;
-    if (before.width != p->width || before.height != p->height || !before.pixels)
+    if (!before.pixels || before.picture.width != l->shown.picture.width ||
+        before.picture.height != l->shown.picture.height)
         live_size(l);
     s->code = s->code ? s->code : window_picture(l->window, &l->shown.picture, l->controls.rotation);
     return true;

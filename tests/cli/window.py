@@ -63,6 +63,19 @@ class View:
     def shows(self, want):
         return bool(wait_for(lambda: self.window.pixels() == want))
 
+    def feed(self, data):
+        """Through its pipe; None: no more."""
+        try:
+            if data is None:
+                self.run.stdin.close()
+                self.run.stdin = None
+            else:
+                self.run.stdin.write(data)
+                self.run.stdin.flush()
+        except BrokenPipeError:
+            self.run.stdin = None
+            verdict("the viewer reads its pipe", self.ends())
+
     def ends(self):
         """Exit code and what was said, once it has been told to end."""
         try:
@@ -148,14 +161,12 @@ def one_picture_after_another(screen, pictures):
     with View(screen, "-", "--scale", "4", stdin=subprocess.PIPE) as run:
         run.window.keys("o")
         head = data.index(stream.picture(b"", 1, 1, 0)[:4] + b"\1\2", 400)  # the second picture's begin
-        run.run.stdin.write(data[:head])
-        run.run.stdin.flush()
+        run.feed(data[:head])
         good = run.shows(enlarged(pictures[0], WIDTH, 4))
         verdict("what has come of a pipe is shown", None if good else "other pixels")
         run.window.keys("space")
-        run.run.stdin.write(data[head:])
-        run.run.stdin.close()
-        run.run.stdin = None
+        run.feed(data[head:])
+        run.feed(None)
         for i in range(1, 4):
             run.window.keys("period")
             verdict(f"step {i}", None if run.shows(enlarged(pictures[i], WIDTH, 4)) else "another picture")
@@ -167,6 +178,19 @@ def one_picture_after_another(screen, pictures):
         code, _, err = run.ends()
     frames = read("recording-0000.png").split(b"acTL")[1][:4] if os.path.exists("recording-0000.png") else b""
     verdict("v records what came in between", None if code == 0 and not err and frames[3:] in (b"\1", b"\2") else f"{frames} {code}: {err}")
+
+
+def another_size_makes_another_window(screen, pictures):
+    subprocess.run([glint, "render", scene, "--size", "20x30", "--format", "grey4", "--stream", "small.stream", "--frames", "1"],
+                   check=True)
+    subprocess.run([glint, "render", scene, "--size", "20x30", "--format", "grey4", "-o", "small.ppm"], check=True)
+    small = bytes(v for v in read("small.ppm")[-600:] for _ in range(3))
+    with View(screen, "-", "--scale", "4", stdin=subprocess.PIPE) as run:
+        run.window.keys("o")
+        run.feed(read("rgb565.stream"))
+        run.shows(enlarged(pictures[-1], WIDTH, 4))
+        run.feed(read("small.stream"))
+        verdict("pictures of another size", None if run.shows(enlarged(small, 20, 4)) else f"other pixels: {run.window.place()}")
 
 
 class Device(threading.Thread):
@@ -247,6 +271,7 @@ def main():
         words_lie_over_the_picture(screen, pictures)
         pictures_are_saved_as_drawn(screen, pictures)
         one_picture_after_another(screen, pictures)
+        another_size_makes_another_window(screen, pictures)
         keys_are_the_device_s_buttons(screen)
     finally:
         screen.close()
