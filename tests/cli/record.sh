@@ -34,14 +34,14 @@ for format in rgb565 rgb888 grey8 grey4; do
     "$glint" render "$demo" "${frames[@]}" -o want.apng
     "$glint" render "$demo" "${frames[@]}" -o want.y4m
     "$glint" render "$demo" "${frames[@]}" --stream $format.stream
-    run "$format becomes an animated PNG" 0 "$view" file:$format.stream --headless --record $format.png --save again.stream
+    run "$format becomes an animated PNG" 0 "$view" --headless file:$format.stream --record $format.png --save again.stream
     films 'of the same pictures at the same moments' $format.png want.apng 6
     same 'and its bytes are kept' again.stream $format.stream
-    run 'and YUV4MPEG2' 0 "$view" file:$format.stream --headless --record $format.y4m --record-fps 15
+    run 'and YUV4MPEG2' 0 "$view" --headless file:$format.stream --record $format.y4m --record-fps 15
     same 'that is the same' $format.y4m want.y4m
 done
 run 'a film has 60 pictures a second' 0 sh -c "'$glint' render '$demo' --size 61x45 --frames 6 --fps 15 --stream - |
-    '$view' - --headless --record film.y4m"
+    '$view' --headless - --record film.y4m"
 head -n 1 film.y4m >head
 if [ "$(cat head)" = 'YUV4MPEG2 W61 H45 F60:1 Ip A1:1 C444 XCOLORRANGE=LIMITED' ] &&
     [ "$(stat -c %s film.y4m)" -eq $(($(stat -c %s head) + 24 * (6 + 3 * 61 * 45))) ]
@@ -54,17 +54,17 @@ fresh
 "$glint" render "$demo" --size 40x40 --frames 6 --key 3 --fps 10 --stream good.stream
 size=$(stat -c %s good.stream)
 { head -c $((size / 3)) good.stream; printf x; tail -c +$((size / 3 + 2)) good.stream; } >damaged.stream
-run 'a damaged picture is not in the film' 0 "$view" file:damaged.stream --record damaged.apng --dump damaged
+run 'a damaged picture is not in the film' 0 "$view" --headless file:damaged.stream --record damaged.apng --dump damaged
 count=$(find damaged -name 'frame-*.png' | wc -l)
 film damaged.apng >damaged.list
 if [ "$count" -lt 6 ] && [ "$(wc -l <damaged.list)" -eq "$count" ] && grep -qE '^([2-4]00) ' damaged.list
 then say ok 'and the one before it lasts longer'
 else say FAIL 'and the one before it lasts longer' "$count pictures; $(tr '\n' ' ' <damaged.list)"; fi
-kept 'a film is kept of fewer pictures than asked for' 1 few.png "$view" file:good.stream --record few.png --frames 9
+kept 'a film is kept of fewer pictures than asked for' 1 few.png "$view" --headless file:good.stream --record few.png --frames 9
 films 'as it is' few.png few.png 6
 "$glint" render "$demo" --size 41x40 --frames 2 --stream other.stream
 cat good.stream other.stream >both.stream
-kept 'a film ends where the size changes' 1 first.png "$view" file:both.stream --record first.png
+kept 'a film ends where the size changes' 1 first.png "$view" --headless file:both.stream --record first.png
 matches 'saying so' "$top/err" '^first.png: ends here, 40x40 rgb888: the pictures are 41x40 rgb888 from now on$'
 films 'with what was before' first.png few.png 6
 
@@ -73,33 +73,33 @@ fresh
 head -c 300 good.stream >short.stream
 for kind in png y4m; do
     ln -s /dev/full full.$kind
-    run "a full device is reported for $kind" 3 "$view" file:good.stream --record full.$kind
+    run "a full device is reported for $kind" 3 "$view" --headless file:good.stream --record full.$kind
     matches 'with the reason' "$top/err" "^full.$kind: No space left on device\$"
-    run 'a file that may grow no more too' 3 bash -c "trap '' XFSZ; ulimit -f 20; exec '$view' file:good.stream --record a.$kind"
+    run 'a file that may grow no more too' 3 bash -c "trap '' XFSZ; ulimit -f 20; exec '$view' --headless file:good.stream --record a.$kind"
     matches 'with its reason' "$top/err" "^a.$kind: File too large\$"
     echo old >old.$kind
-    run 'also where there was a file' 3 bash -c "trap '' XFSZ; ulimit -f 20; exec '$view' file:good.stream --record old.$kind"
+    run 'also where there was a file' 3 bash -c "trap '' XFSZ; ulimit -f 20; exec '$view' --headless file:good.stream --record old.$kind"
     matches 'which stays' old.$kind '^old$'
     mkdir folder.$kind
-    run 'a folder is no film' 3 "$view" file:good.stream --record folder.$kind
-    run 'nor is there one in no folder' 3 "$view" file:good.stream --record none/a.$kind
-    run 'without a picture there is none' 1 "$view" file:short.stream --record a.$kind
+    run 'a folder is no film' 3 "$view" --headless file:good.stream --record folder.$kind
+    run 'nor is there one in no folder' 3 "$view" --headless file:good.stream --record none/a.$kind
+    run 'without a picture there is none' 1 "$view" --headless file:short.stream --record a.$kind
 done
 mkfifo pipe.png
-run 'a pipe is no place for an animated PNG' 3 bash -c "cat pipe.png >'$top/piped' & exec '$view' file:good.stream --record pipe.png"
+run 'a pipe is no place for an animated PNG' 3 bash -c "cat pipe.png >'$top/piped' & exec '$view' --headless file:good.stream --record pipe.png"
 matches 'and the message names another' "$top/err" '^pipe.png: .*y4m'
 mkfifo pipe.y4m
-run 'but for YUV4MPEG2' 0 bash -c "cat pipe.y4m >'$top/piped' & '$view' file:good.stream --record pipe.y4m && wait"
-"$view" file:good.stream --record file.y4m >"$top/out"
+run 'but for YUV4MPEG2' 0 bash -c "cat pipe.y4m >'$top/piped' & '$view' --headless file:good.stream --record pipe.y4m && wait"
+"$view" --headless file:good.stream --record file.y4m >"$top/out"
 same 'with the same bytes' "$top/piped" file.y4m
 rm file.y4m
-run 'a full device is reported for a stream' 3 "$view" file:good.stream --save /dev/full
-run 'and no folder' 3 "$view" file:good.stream --save none/a.stream
-run 'another ending is refused' 2 "$view" file:good.stream --record a.gif
+run 'a full device is reported for a stream' 3 "$view" --headless file:good.stream --save /dev/full
+run 'and no folder' 3 "$view" --headless file:good.stream --save none/a.stream
+run 'another ending is refused' 2 "$view" --headless file:good.stream --record a.gif
 matches 'with those that are not' "$top/err" '^a.gif: .*\.png, \.apng or \.y4m$'
-run 'an empty name is none' 2 "$view" file:good.stream --record ''
-run 'nor for a stream' 2 "$view" file:good.stream --save ''
-run 'a film has at least a picture a second' 2 "$view" file:good.stream --record a.y4m --record-fps 0
+run 'an empty name is none' 2 "$view" --headless file:good.stream --record ''
+run 'nor for a stream' 2 "$view" --headless file:good.stream --save ''
+run 'a film has at least a picture a second' 2 "$view" --headless file:good.stream --record a.y4m --record-fps 0
 
 # a stream that goes on until a signal comes: the film so far is whole, and nothing else is there
 fresh
