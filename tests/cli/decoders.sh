@@ -20,7 +20,7 @@ with open(sys.argv[2], "rb") as data:
 P
 
 agree() { # SCENE FORMAT OPTION...
-    local name=$1 format=$2 frames=(--size 96x72 --frames 4 --fps 12 --format "$2" "${@:3}")
+    local name=$1 format=$2 frames=(--size 64x48 --frames 4 --fps 12 --format "$2" "${@:3}")
     "$glint" render "$scenes/$name.json" "${frames[@]}" --hash >drawn 2>errors
     "$glint" render "$scenes/$name.json" "${frames[@]}" --key 3 --band-rows 16 --stream a.stream 2>>errors
     "$view" file:a.stream --headless --trace 2>>errors |
