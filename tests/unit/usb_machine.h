@@ -43,7 +43,8 @@ struct machine {
     struct libusb_device_handle handles[MACHINE_DEVICES];
     struct libusb_context contexts[1];
     struct libusb_transfer *flying[MACHINE_FLYING];
-    bool cancelled[MACHINE_FLYING];
+    bool cancelled[MACHINE_FLYING], halted[MACHINE_FLYING]; /* halted: submitted to an endpoint that was */
+    const struct libusb_transfer *swallowed;
     unsigned flying_count, most_flying;
     int contexts_open, lists_open, configs_open, handles_open, transfers; /* how many are held */
     int calls, fails_at;                                                  /* a call's number from 1 */
@@ -282,7 +283,9 @@ int libusb_submit_transfer(struct libusb_transfer *t)
     if (machine_fails() || !t->dev_handle->device->there)
         return LIBUSB_ERROR_NO_DEVICE;
     assert_true(machine.flying_count < MACHINE_FLYING);
+    const struct libusb_device *d = t->dev_handle->device;
     machine.cancelled[machine.flying_count] = false;
+    machine.halted[machine.flying_count] = t->endpoint & LIBUSB_ENDPOINT_IN ? d->stalled_in : d->stalled_out;
     machine.flying[machine.flying_count++] = t;
     if (machine.flying_count > machine.most_flying)
         machine.most_flying = machine.flying_count;
@@ -307,12 +310,15 @@ static void machine_call(unsigned i, enum libusb_transfer_status status, int len
 {
     struct libusb_transfer *t = machine.flying[i];
     struct libusb_device *d = t->dev_handle->device;
-    if (++machine.callbacks == machine.swallows_at)
+    if (++machine.callbacks == machine.swallows_at) {
+        machine.swallowed = t;
         return;
+    }
     machine.flying_count--;
     for (; i < machine.flying_count; i++) {
         machine.flying[i] = machine.flying[i + 1];
         machine.cancelled[i] = machine.cancelled[i + 1];
+        machine.halted[i] = machine.halted[i + 1];
     }
     bool in = t->endpoint & LIBUSB_ENDPOINT_IN;
     for (int k = 0; in && k < length; k++)
@@ -336,10 +342,14 @@ static bool machine_complete(unsigned i)
     bool in = t->endpoint & LIBUSB_ENDPOINT_IN, *stalled = in ? &d->stalled_in : &d->stalled_out;
     int length = !in ? t->length : random_bits() % 4 ? (int)(random_bits() % 700) : t->length;
     bool early = !d->there && machine.errors++ < 2;
+    if (t == machine.swallowed)
+        return false;
     if (!d->there)
         machine_call(i, early ? LIBUSB_TRANSFER_ERROR : LIBUSB_TRANSFER_NO_DEVICE, early && in ? 5 : 0);
     else if (machine.cancelled[i])
         machine_call(i, LIBUSB_TRANSFER_CANCELLED, in && !*stalled && i == 0 ? 64 : 0);
+    else if (machine.halted[i])
+        machine_call(i, LIBUSB_TRANSFER_STALL, 0);
     else if (machine.callbacks + 1 == machine.stalls_at && !*stalled)
         *stalled = true, machine_call(i, LIBUSB_TRANSFER_STALL, 0);
     else if (!machine.mute && !*stalled)
