@@ -13,7 +13,7 @@ int main(int argc, char **argv)
     signal(SIGPIPE, SIG_IGN);
     int code = options_parse(&options, argc, argv);
     if (code < 0)
-        code = session_run(&session, &options);
+        code = options.list ? port_list() : session_run(&session, &options);
     if (cli_interrupted()) { /* the caller sees by what */
         signal(cli_interrupted(), SIG_DFL);
         raise(cli_interrupted());

@@ -7,13 +7,24 @@
 #include <stdio.h>
 #include <string.h>
 
+#define OPTIONS_WAIT_DEFAULT 10 /* seconds */
+
 static const char options_help[] =
-    "usage: glint-view INPUT [OPTION]...\n\n"
-    "Takes pictures from a device's stream: `glint render --stream`, or a board's serial line.\n\n"
-    "INPUT is file:PATH for a recording, - for standard input, or a serial port as /dev/ttyUSB0 (115200 baud), which "
-    "is\n"
-    "asked for each picture. Only whole pictures are taken; one that was damaged on the way is left out.\n\n"
+    "usage: glint-view [INPUT] [OPTION]...\n\n"
+    "Takes pictures from a device's stream: from USB, a board's serial line or `glint render --stream`.\n\n"
+    "INPUT is usb: or usb:SERIAL for a device on USB, which may come and go; file:PATH for a recording, - for "
+    "standard\n"
+    "input, or a serial port as /dev/ttyUSB0 (115200 baud), which is asked for each picture. Without INPUT it is "
+    "usb:.\n"
+    "Only whole pictures are taken; one that was damaged on the way is left out.\n\n"
+    "      --list             list the devices on USB: serial number, product, speed, bus and ports\n"
+    "      --serial SERIAL    of several take this one\n"
+    "      --wait N           end when nothing has come for N seconds, 1..86400; with --headless 10, else for ever\n"
     "      --dump DIR         write them to DIR/frame-0000.png and so on\n"
+    "      --record FILE      make a film of them, by the device's clock: animated PNG (.png, .apng) or YUV4MPEG2 "
+    "(.y4m)\n"
+    "      --record-fps N     pictures a second of .y4m, 1..1000; the default is 60\n"
+    "      --save FILE        keep the stream as it comes, for file:FILE\n"
     "      --frames N         end after N pictures, 1..1000000; the default is all\n"
     "      --headless         open no window, which it does not so far: pictures are written, counted and listed\n"
     "      --trace            print a line for each, with the CRC-32 of its bytes as drawn\n"
@@ -27,7 +38,13 @@ static const char options_help[] =
 
 enum options_letter {
     OPTIONS_HELP = 'h',
-    OPTIONS_DUMP = 256,
+    OPTIONS_LIST = 256,
+    OPTIONS_SERIAL,
+    OPTIONS_WAIT,
+    OPTIONS_DUMP,
+    OPTIONS_RECORD,
+    OPTIONS_RECORD_FPS,
+    OPTIONS_SAVE,
     OPTIONS_FRAMES,
     OPTIONS_HEADLESS,
     OPTIONS_TRACE,
@@ -40,7 +57,10 @@ enum options_letter {
 };
 
 static const struct option options_long[] = {
-    {"dump", required_argument, NULL, OPTIONS_DUMP},     {"frames", required_argument, NULL, OPTIONS_FRAMES},
+    {"list", no_argument, NULL, OPTIONS_LIST},           {"serial", required_argument, NULL, OPTIONS_SERIAL},
+    {"wait", required_argument, NULL, OPTIONS_WAIT},     {"dump", required_argument, NULL, OPTIONS_DUMP},
+    {"record", required_argument, NULL, OPTIONS_RECORD}, {"record-fps", required_argument, NULL, OPTIONS_RECORD_FPS},
+    {"save", required_argument, NULL, OPTIONS_SAVE},     {"frames", required_argument, NULL, OPTIONS_FRAMES},
     {"headless", no_argument, NULL, OPTIONS_HEADLESS},   {"trace", no_argument, NULL, OPTIONS_TRACE},
     {"names", no_argument, NULL, OPTIONS_NAMES},         {"scene", required_argument, NULL, OPTIONS_SCENE},
     {"method", required_argument, NULL, OPTIONS_METHOD}, {"budget", required_argument, NULL, OPTIONS_BUDGET},
@@ -50,8 +70,20 @@ static const struct option options_long[] = {
 static void options_flag(struct options *options, int letter)
 {
     switch (letter) {
+    case OPTIONS_LIST:
+        options->list = true;
+        break;
+    case OPTIONS_SERIAL:
+        options->serial = optarg;
+        break;
     case OPTIONS_DUMP:
         options->dump = optarg;
+        break;
+    case OPTIONS_RECORD:
+        options->record = optarg;
+        break;
+    case OPTIONS_SAVE:
+        options->save = optarg;
         break;
     case OPTIONS_HEADLESS:
         options->headless = true;
@@ -86,8 +118,14 @@ int options_parse(struct options *options, int argc, char **argv)
             return CLI_DONE;
         case '?':
             return CLI_BAD_USAGE;
+        case OPTIONS_WAIT:
+            good = cli_number(optarg, 1, 86400, &options->wait);
+            break;
         case OPTIONS_FRAMES:
             good = cli_number(optarg, 1, 1000000, &options->frames);
+            break;
+        case OPTIONS_RECORD_FPS:
+            good = cli_number(optarg, 1, 1000, &options->record_fps);
             break;
         case OPTIONS_BUDGET:
             good = cli_number(optarg, 1, 255, &options->budget);
@@ -98,10 +136,16 @@ int options_parse(struct options *options, int argc, char **argv)
         if (!good)
             return cli_refuse(OPTIONS_NAME, options_help, options_long[index].name, optarg);
     }
-    if (argc - optind != 1)
-        return cli_usage(OPTIONS_NAME, "one input is needed");
-    options->input = argv[optind];
-    if (!*options->input || strcmp(options->input, "file:") == 0 || (options->dump && !*options->dump))
+    if (argc - optind > !options->list)
+        return cli_usage(OPTIONS_NAME, options->list ? "--list takes no input" : "there is more than one input");
+    options->input = argc == optind ? "usb:" : argv[optind];
+    if (options->serial && strcmp(options->input, "usb:") != 0)
+        return cli_usage(OPTIONS_NAME, "--serial goes with the input usb:");
+    if (options->headless && !options->wait)
+        options->wait = OPTIONS_WAIT_DEFAULT;
+    if (!*options->input || strcmp(options->input, "file:") == 0 || (options->dump && !*options->dump) ||
+        (options->serial && !*options->serial) || (options->record && !*options->record) ||
+        (options->save && !*options->save))
         return cli_usage(OPTIONS_NAME, "a name is empty");
     return -1;
 }

@@ -11,6 +11,7 @@
 
 #define SESSION_WAIT_MS  100   /* between looks at the clock */
 #define SESSION_AGAIN_MS 1000. /* until a device that has not answered is asked again */
+#define SESSION_KEY_MS   250.  /* the same for one that sends all the time */
 
 static bool session_enough(const struct session *s)
 {
@@ -46,6 +47,8 @@ static void session_picture(void *context, const struct frames_picture *p)
         s->code = dump_folder(o->dump);
     if (o->dump && s->code == CLI_DONE)
         s->code = dump_picture(o->dump, s->pictures, p);
+    if (s->code == CLI_DONE)
+        s->code = record_picture(&s->record, p);
     s->pictures++;
     if (o->trace)
         session_trace(p);
@@ -96,7 +99,34 @@ static int session_ask(struct session *s)
     for (unsigned i = 0; i < sizeof wishes / sizeof *wishes && !code && !s->obeyed; i++)
         if (wishes[i].value != OPTIONS_NONE)
             code = port_ask(&s->port, wishes[i].type, wishes[i].value);
-    return code ? code : port_ask(&s->port, STREAM_KEY_PLEASE, 0);
+    return !code && (s->port.polls || s->frames.want_key) ? port_ask(&s->port, STREAM_KEY_PLEASE, 0) : code;
+}
+
+/* One that sends only when asked is asked for each picture; any, when it has not answered. */
+static bool session_wants(const struct session *s, double now)
+{
+    if (s->port.polls)
+        return s->seen != s->frames.pictures || now - s->asked >= SESSION_AGAIN_MS;
+    return s->port.asks && s->port.there && (s->frames.want_key || !s->obeyed) && now - s->asked >= SESSION_KEY_MS;
+}
+
+/* A device has come: all that was heard is of another. It is asked at once. */
+static void session_connect(struct session *s)
+{
+    frames_restart(&s->frames);
+    s->connections = s->port.connections;
+    s->obeyed = false;
+    s->asked = cli_clock() - SESSION_AGAIN_MS;
+}
+
+/* True if nobody has said anything for too long. */
+static bool session_silent(struct session *s)
+{
+    double now = cli_clock();
+    if (s->messages != s->frames.parser.messages)
+        s->heard = now;
+    s->messages = s->frames.parser.messages;
+    return s->port.asks && s->options->wait && now - s->heard >= 1000. * s->options->wait;
 }
 
 /* What the port has to say: false if nothing will follow. */
@@ -104,7 +134,9 @@ static bool session_step(struct session *s)
 {
     static uint8_t bytes[65536];
     double now = cli_clock();
-    if (s->port.asks && (s->seen != s->frames.pictures || now - s->asked >= SESSION_AGAIN_MS)) {
+    if (s->connections != s->port.connections)
+        session_connect(s);
+    if (session_wants(s, now)) {
         s->code = session_ask(s);
         s->seen = s->frames.pictures;
         s->asked = now;
@@ -113,8 +145,13 @@ static bool session_step(struct session *s)
     if (count == PORT_FAILED)
         s->code = CLI_IO;
     if (count > 0) {
+        s->code = s->code ? s->code : save_bytes(&s->save, bytes, (size_t)count);
         frames_push(&s->frames, bytes, (size_t)count);
-        s->asked = s->port.asks && s->frames.parser.count ? cli_clock() : s->asked; /* it is answering */
+        s->asked = s->port.polls && s->frames.parser.count ? cli_clock() : s->asked; /* it is answering */
+    }
+    if (s->code == CLI_DONE && session_silent(s)) {
+        port_missing(&s->port);
+        s->code = CLI_IO;
     }
     return count >= 0;
 }
@@ -145,9 +182,14 @@ static int session_open(struct session *s, const struct options *o)
     bool asking = o->scene || o->method || o->budget != OPTIONS_NONE || o->pause != OPTIONS_NONE;
     s->options = o;
     s->scene = s->method = OPTIONS_NONE;
-    s->asked = cli_clock() - SESSION_AGAIN_MS;
+    s->heard = cli_clock();
+    s->asked = s->heard - SESSION_AGAIN_MS;
     cli_catch_signals();
-    int code = port_open(&s->port, o->input);
+    s->save.path = o->save;
+    s->record.rate = o->record_fps;
+    int code = o->record ? record_open(&s->record, o->record) : CLI_DONE;
+    if (!code)
+        code = port_open(&s->port, o->input, o->serial);
     if (!code && asking && !s->port.asks)
         code = cli_usage(OPTIONS_NAME, "%s is no device that could be asked for a scene, method, budget or pause",
                          s->port.name);
@@ -167,6 +209,8 @@ int session_run(struct session *s, const struct options *options)
     code = s->code;
     if (!code && !cli_interrupted())
         code = session_tell(s);
+    int recorded = record_close(&s->record, true), saved = save_close(&s->save);
+    code = code ? code : recorded ? recorded : saved;
     frames_close(&s->frames);
     port_close(&s->port);
     return code;

@@ -7,17 +7,24 @@
 #include "view/names.h"
 #include "view/options.h"
 #include "view/port.h"
+#include "view/record.h"
+#include "view/save.h"
 
 struct session {
     const struct options *options;
     struct frames frames;
     struct port port;
     struct names names;
+    struct record record;
+    struct save save;
     uint32_t scene, method; /* asked for, by place in the device's lists, or OPTIONS_NONE */
     bool obeyed;            /* by the last picture, in all that was asked: those before do not count */
     double asked;           /* when, by cli_clock() */
-    uint32_t seen;          /* pictures when it was */
-    uint32_t pictures;      /* that count */
+    double heard;           /* when the last good message had come */
+    uint32_t messages;      /* that had */
+    unsigned connections;
+    uint32_t seen;     /* pictures when it was */
+    uint32_t pictures; /* that count */
     uint64_t bytes;
     int code;
 };
