@@ -27,10 +27,12 @@ static void session_trace(const struct frames_picture *p)
 {
     size_t bytes = unpack_row_bytes(p->format, p->width) * p->height;
     printf("%u: %ux%u %s%s, moment %u ms, %u bytes, drawn in %u us, packed in %u us, %u of %u triangles, %u dropped, "
-           "crc %08X\n",
+           "%u skipped, crc %08X\n",
            (unsigned)p->number, p->width, p->height, cli_formats[p->format], p->key ? ", key" : "",
            (unsigned)p->moment_ms, (unsigned)p->bytes, (unsigned)p->draw_us, (unsigned)p->pack_us, (unsigned)p->drawn,
-           (unsigned)p->triangles, (unsigned)p->dropped, (unsigned)scene_crc32(0, p->pixels, bytes));
+           (unsigned)p->triangles, (unsigned)p->dropped, (unsigned)p->skipped,
+           (unsigned)scene_crc32(0, p->pixels, bytes));
+    fflush(stdout); /* somebody may be waiting for it behind a pipe */
 }
 
 static void session_picture(void *context, const struct frames_picture *p)
