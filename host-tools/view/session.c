@@ -23,7 +23,8 @@ static bool session_obeyed(uint32_t asked, uint32_t is)
     return asked == OPTIONS_NONE || asked == is;
 }
 
-static void session_trace(const struct frames_picture *p)
+/* Each line as its picture comes: behind a pipe, too, somebody waits for it, or does no longer. */
+static void session_trace(struct session *s, const struct frames_picture *p)
 {
     size_t bytes = unpack_row_bytes(p->format, p->width) * p->height;
     printf("%u: %ux%u %s%s, moment %u ms, %u bytes, drawn in %u us, packed in %u us, %u of %u triangles, %u dropped, "
@@ -32,7 +33,8 @@ static void session_trace(const struct frames_picture *p)
            (unsigned)p->moment_ms, (unsigned)p->bytes, (unsigned)p->draw_us, (unsigned)p->pack_us, (unsigned)p->drawn,
            (unsigned)p->triangles, (unsigned)p->dropped, (unsigned)p->skipped,
            (unsigned)scene_crc32(0, p->pixels, bytes));
-    fflush(stdout); /* somebody may be waiting for it behind a pipe */
+    if (fflush(stdout) != 0)
+        s->code = CLI_IO;
 }
 
 static void session_picture(void *context, const struct frames_picture *p)
@@ -53,7 +55,7 @@ static void session_picture(void *context, const struct frames_picture *p)
         s->code = record_picture(&s->record, p);
     s->pictures++;
     if (o->trace)
-        session_trace(p);
+        session_trace(s, p);
 }
 
 static void session_log(void *context, const char *text, uint32_t length)
