@@ -58,7 +58,7 @@ def cable(usb, glint):
     for line in text.splitlines():
         if found := re.match(r"(\d+) (out|in), ", line):
             (outs if found[2] == "out" else ins).append(int(found[1]))
-    back = [min([p.stamp for p in shown if p.stamp > moment] or [1e12]) - moment for moment in ins]
+    back = [min([p.stamp for p in shown if p.stamp > moment and p.key] or [1e12]) - moment for moment in ins]
     longest = max(back, default=1e12) / 1e6
     if status or len(back) != PULLS:
         complaint = f"status {status}, pulled {len(back)} times: {text[-300:]} {usb.do('cat /tmp/said')} {usb.do('cat /tmp/device')}"
