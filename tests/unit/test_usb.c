@@ -205,7 +205,7 @@ static void an_endpoint_may_stall_at_every_callback(void **state)
         assert_int_equal(port_open(&port, "usb:", NULL), CLI_DONE);
         for (int i = 0; i < 8; i++)
             port_ask(&port, STREAM_KEY_PLEASE, 0);
-        assert_true(reader_run(&reader, &port, 1, CASE_BYTES));
+        assert_true(reader_run(&reader, &port, 1, 2 * CASE_BYTES));
         assert_int_equal(port.connections, 1);
         assert_true(machine.callbacks > at);
         port_ask(&port, STREAM_PAUSE, 1);
