@@ -31,14 +31,18 @@ static bool session_obeyed(struct session *s, const struct frames_picture *p)
     return all;
 }
 
-static void session_trace(const struct frames_picture *p)
+/* Each line as its picture comes: behind a pipe, too, somebody waits for it, or does no longer. */
+static void session_trace(struct session *s, const struct frames_picture *p)
 {
     size_t bytes = unpack_row_bytes(p->format, p->width) * p->height;
     printf("%u: %ux%u %s%s, moment %u ms, %u bytes, drawn in %u us, packed in %u us, %u of %u triangles, %u dropped, "
-           "crc %08X\n",
+           "%u skipped, crc %08X\n",
            (unsigned)p->number, p->width, p->height, cli_formats[p->format], p->key ? ", key" : "",
            (unsigned)p->moment_ms, (unsigned)p->bytes, (unsigned)p->draw_us, (unsigned)p->pack_us, (unsigned)p->drawn,
-           (unsigned)p->triangles, (unsigned)p->dropped, (unsigned)scene_crc32(0, p->pixels, bytes));
+           (unsigned)p->triangles, (unsigned)p->dropped, (unsigned)p->skipped,
+           (unsigned)scene_crc32(0, p->pixels, bytes));
+    if (fflush(stdout) != 0)
+        s->code = CLI_IO;
 }
 
 static void session_picture(void *context, const struct frames_picture *p)
@@ -60,7 +64,7 @@ static void session_picture(void *context, const struct frames_picture *p)
         s->code = recorded;
     s->pictures++;
     if (o->trace)
-        session_trace(p);
+        session_trace(s, p);
 }
 
 static void session_log(void *context, const char *text, uint32_t length)
