@@ -274,8 +274,9 @@ bool live_step(struct session *s)
         live_size(l);
         l->opened = 0.;
     }
-    l->words |= meter_turn(&l->meter, cli_clock()) | status_forget(&l->notes, cli_clock()) | (ended && shown);
-    draw |= shown | l->words;
+    bool figures = meter_turn(&l->meter, cli_clock()), forgotten = status_forget(&l->notes, cli_clock());
+    l->words = l->words || figures || forgotten || (ended && shown);
+    draw = draw || shown || l->words;
     if (l->words)
         live_words(s, &status);
     if (draw)
