@@ -274,7 +274,8 @@ bool live_step(struct session *s)
         live_size(l);
         l->opened = 0.;
     }
-    l->words |= meter_turn(&l->meter, cli_clock()) | status_forget(&l->notes, cli_clock()) | (ended && shown);
+    l->words |= meter_turn(&l->meter, cli_clock());
+    l->words |= status_forget(&l->notes, cli_clock()) || (ended && shown);
     draw |= shown | l->words;
     if (l->words)
         live_words(s, &status);
