@@ -53,7 +53,6 @@ def cable(usb, glint):
     complaint = usb.play(f"{PLAIN} {DEMO}")
     status, text = (1, complaint) if complaint else usb.guest.run(
         f"glint-view usb: --headless --trace 2>/tmp/said | cable {usb.udc()} {PULLS} {1000000 // RATE}", 300)
-    usb.guest.run("killall glint-view; wait")
     shown, outs, ins = trace(text), [], []
     for line in text.splitlines():
         if found := re.match(r"(\d+) (out|in), ", line):
