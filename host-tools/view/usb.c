@@ -199,6 +199,7 @@ static void usb_look(struct usb *u)
 static bool usb_step(struct usb *u)
 {
     bool there = u->port->there;
+    unsigned connections = u->port->connections;
     if (u->device.handle && !u->leaving) {
         usb_cancel(u, u->in_stalled, false);
         usb_clear(u);
@@ -211,7 +212,7 @@ static bool usb_step(struct usb *u)
     }
     if (!u->device.handle && u->received.count == 0 && (u->arrived || cli_clock() >= u->look))
         usb_look(u);
-    return u->port->there != there;
+    return u->port->there != there || u->port->connections != connections;
 }
 
 /* Callbacks are called in here alone. */

@@ -57,6 +57,12 @@ static bool usb_find_interface(libusb_device *device, const struct libusb_device
     return found;
 }
 
+static void usb_find_close(struct usb_device *d)
+{
+    libusb_close(d->handle);
+    d->handle = NULL;
+}
+
 /* 0: it is one, and open. */
 static int usb_find_open(libusb_device *device, struct usb_device *d)
 {
@@ -66,13 +72,15 @@ static int usb_find_open(libusb_device *device, struct usb_device *d)
     if (libusb_get_device_descriptor(device, &about) != 0 || !usb_find_interface(device, &about, d))
         return LIBUSB_ERROR_NOT_FOUND;
     int result = libusb_open(device, &d->handle);
-    if (result)
+    if (result) {
+        d->handle = NULL;
         return result == LIBUSB_ERROR_NO_DEVICE ? LIBUSB_ERROR_NOT_FOUND : result;
+    }
     if (usb_find_text(d->handle, about.iManufacturer, maker) && strcmp(maker, usb_find_maker) == 0 &&
         usb_find_text(d->handle, about.iProduct, d->product) &&
         usb_find_text(d->handle, about.iSerialNumber, d->serial))
         return 0;
-    libusb_close(d->handle);
+    usb_find_close(d);
     return LIBUSB_ERROR_NOT_FOUND;
 }
 
@@ -85,7 +93,7 @@ static int usb_find_claim(libusb_device *device, const char *serial, struct usb_
     result = serial && strcmp(serial, d->serial) != 0 ? LIBUSB_ERROR_NOT_FOUND
                                                       : libusb_claim_interface(d->handle, d->interface);
     if (result)
-        libusb_close(d->handle);
+        usb_find_close(d);
     return result == LIBUSB_ERROR_NO_DEVICE ? LIBUSB_ERROR_NOT_FOUND : result;
 }
 
@@ -102,7 +110,7 @@ int usb_find(libusb_context *context, const char *serial, struct usb_device *fou
         bool have = result == 0; /* then the rest is only counted */
         int one = have ? usb_find_open(list[i], &d) : usb_find_claim(list[i], serial, &d);
         if (have && one == 0)
-            libusb_close(d.handle);
+            usb_find_close(&d);
         *others += (have && one == 0) || one == LIBUSB_ERROR_BUSY;
         if (have || one == LIBUSB_ERROR_NOT_FOUND)
             continue;
@@ -116,8 +124,7 @@ int usb_find(libusb_context *context, const char *serial, struct usb_device *fou
 void usb_find_release(struct usb_device *device)
 {
     libusb_release_interface(device->handle, device->interface);
-    libusb_close(device->handle);
-    device->handle = NULL;
+    usb_find_close(device);
 }
 
 const char *usb_find_reason(int result)
@@ -180,7 +187,7 @@ int usb_find_list(void)
         if (one == 0) {
             found++;
             usb_find_print(list[i], &d);
-            libusb_close(d.handle);
+            usb_find_close(&d);
         } else if (one != LIBUSB_ERROR_NOT_FOUND) {
             problem = one;
         }

@@ -12,7 +12,7 @@
 #define USB_FIND_TEXT    128
 
 struct usb_device {
-    libusb_device_handle *handle; /* the interface claimed */
+    libusb_device_handle *handle; /* the interface claimed; or null */
     uint8_t interface, in, out;   /* its bulk endpoints */
     char serial[USB_FIND_TEXT], product[USB_FIND_TEXT];
 };
