@@ -72,8 +72,10 @@ static void live_size(struct live *l)
 {
     const struct frames_picture *p = &l->shown.picture;
     const unsigned turn = l->controls.rotation & 1;
-    const unsigned width = p->pixels ? p->width : LIVE_WIDTH, height = p->pixels ? p->height : LIVE_WIDTH;
-    window_size(l->window, turn ? height : width, turn ? width : height, l->scale);
+    if (p->pixels)
+        window_size(l->window, turn ? p->height : p->width, turn ? p->width : p->height, l->scale);
+    else
+        window_size(l->window, LIVE_WIDTH, LIVE_WIDTH, 0);
 }
 
 /* A picture that is due goes to the window. True if one did. */
@@ -90,12 +92,12 @@ static bool live_show(struct session *s)
         l->controls.steps -= l->controls.steps != 0;
     else
         playback_shown(&l->playback, p->time_us, live_us());
-    const struct frames_picture before = l->shown.picture;
-    const struct live_picture shown = l->next;
-    l->next = l->shown;
-    l->shown = shown;
+    const struct live_picture before = l->shown;
+    l->shown = l->next;
+    l->next = before;
     l->waits = false;
-    if (before.width != p->width || before.height != p->height || !before.pixels)
+    if (!before.pixels || before.picture.width != l->shown.picture.width ||
+        before.picture.height != l->shown.picture.height)
         live_size(l);
     s->code = s->code ? s->code : window_picture(l->window, &l->shown.picture, l->controls.rotation);
     return true;
@@ -115,7 +117,7 @@ static void live_buttons(struct session *s)
 static uint32_t live_place(const struct names *names, enum names_list list, uint32_t place, int steps)
 {
     int64_t count = names_count(names, list);
-    return count ? (uint32_t)(((place + steps) % count + count) % count) : OPTIONS_NONE;
+    return count ? (uint32_t)((((int64_t)place + steps) % count + count) % count) : OPTIONS_NONE;
 }
 
 /* What the device is asked for, from what its last picture shows, or what was asked for and is not shown so far. */
@@ -239,9 +241,9 @@ static void live_words(struct session *s, const struct status *status)
     else if (s->ended && s->port.asks)
         overlay_add(&text[OVERLAY_MIDDLE], "%s has gone", s->port.name);
     status_list(&l->notes, &text[OVERLAY_BOTTOM]);
-    if (l->controls.paused)
+    if (l->controls.paused && l->controls.figures)
         overlay_add(&text[OVERLAY_BOTTOM], "held: space lets it go on");
-    else if (s->ended && !l->waits && !s->port.asks)
+    else if (s->ended && !l->waits && !s->port.asks && l->controls.figures)
         overlay_add(&text[OVERLAY_BOTTOM], "the end");
     window_words(l->window, text);
     l->words = false;
@@ -272,7 +274,8 @@ bool live_step(struct session *s)
         live_size(l);
         l->opened = 0.;
     }
-    l->words |= meter_turn(&l->meter, cli_clock()) | status_forget(&l->notes, cli_clock()) | (ended && shown);
+    l->words |= meter_turn(&l->meter, cli_clock());
+    l->words |= status_forget(&l->notes, cli_clock()) || (ended && shown);
     draw |= shown | l->words;
     if (l->words)
         live_words(s, &status);

@@ -30,7 +30,7 @@ static const char options_help[] =
     "      --headless         open no window; nor do --dump, --frames, --trace and --names\n"
     "      --scale N          of the window: pixels a pixel, 1..6; the default is what fits\n"
     "      --rotate DEGREES   turn the picture clockwise: 0, 90, 180 or 270\n"
-    "      --fullscreen       keys: see below\n"
+    "      --fullscreen       fill the screen\n"
     "      --trace            print a line for each, with the CRC-32 of its bytes as drawn\n"
     "      --names            print what the device offers: scenes and methods\n"
     "      --scene NAME       let the device show a scene,\n"

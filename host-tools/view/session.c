@@ -102,7 +102,7 @@ static void session_hello(void *context, const char *text, uint32_t length)
 
 void session_send(struct session *s, enum stream_type type, uint32_t value)
 {
-    if (!s->port.asks || !s->port.there || s->code != CLI_DONE)
+    if (!s->port.asks || !s->port.there || s->ended || s->code != CLI_DONE)
         return;
     s->code = port_ask(&s->port, type, value);
     meter_sent(&s->live.meter, s->port.sequence, cli_clock());
