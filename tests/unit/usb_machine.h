@@ -115,6 +115,7 @@ void libusb_exit(libusb_context *context)
     assert_false(machine.in_callback);
     assert_int_equal(machine.handles_open, 0);
     assert_int_equal(machine.lists_open, 0);
+    assert_int_equal(machine.transfers, 0); /* each holds the device that it was last submitted to */
     machine.contexts_open--;
 }
 
@@ -347,11 +348,11 @@ static bool machine_complete(unsigned i)
     if (!d->there)
         machine_call(i, early ? LIBUSB_TRANSFER_ERROR : LIBUSB_TRANSFER_NO_DEVICE, early && in ? 5 : 0);
     else if (machine.cancelled[i])
-        machine_call(i, LIBUSB_TRANSFER_CANCELLED, in && !*stalled && i == 0 ? 64 : 0);
+        machine_call(i, LIBUSB_TRANSFER_CANCELLED, 0);
     else if (machine.halted[i])
         machine_call(i, LIBUSB_TRANSFER_STALL, 0);
     else if (machine.callbacks + 1 == machine.stalls_at && !*stalled)
-        *stalled = true, machine_call(i, LIBUSB_TRANSFER_STALL, 0);
+        *stalled = true, machine_call(i, LIBUSB_TRANSFER_STALL, in ? 64 : 0);
     else if (!machine.mute && !*stalled)
         machine_call(i, LIBUSB_TRANSFER_COMPLETED, length);
     else

@@ -6,6 +6,7 @@ A boot for each part: `high` and `full` speed, `panel`s that play the same; `fig
 """
 import os
 import sys
+import time
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import usb_cases as cases
@@ -33,6 +34,12 @@ for part in parts:
     with Guest(kernel, folder, counted=0, traced=part == "panel") as guest:
         usb = Usb(guest, part != "high")
         for case in PARTS[part]:
-            for name, complaint in case(usb, glint):
-                verdict(f"{usb.speed}, {name}" if case is cases.pictures else name, complaint)
+            begin = time.monotonic()
+            try:
+                for name, complaint in case(usb, glint):
+                    verdict(f"{usb.speed}, {name}" if case is cases.pictures else name, complaint)
+            except (RuntimeError, ValueError) as problem:
+                verdict(f"{usb.speed}, {case.__name__}", problem)
+                break  # what follows would stand on it
+            print(f"# {version} {case.__name__}: {time.monotonic() - begin:.0f} s", flush=True)
 sys.exit(failed != 0)
