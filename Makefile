@@ -98,7 +98,7 @@ report: deps-test ## Pictures, errors and costs of every method on every scene, 
 bench-setup: deps-test ## The papers' quadratic set-ups: operations, instructions, seconds; writes build/bench/setup.csv
 	$(Q)$(MAKE) --no-print-directory bench-setup-table
 
-bench-stream: deps-test ## Bytes a picture of a stream, and instructions to pack it, on Cortex-M0+, M3 and M4
+bench-stream: deps-test ## Bytes a picture of a stream, and instructions to pack it, on Cortex-M0+, M3, M4; writes build/bench/stream.csv
 	$(Q)$(MAKE) --no-print-directory bench-stream-table
 
 figures: deps-test ## Write the README's figures of quality and cost anew
