@@ -57,7 +57,7 @@ static void streams_text(FILE *out, const struct streams *s)
     fprintf(
         out,
         "<h2 id=\"stream\">As a stream</h2>\n"
-        "<p>Bytes of a picture sent as firmware/stream/PROTOCOL.md has it, headers included, in bands of 16 rows, "
+        "<p>Bytes of a picture sent as firmware/stream/PROTOCOL.md has it, headers included, in four bands, "
         "drawn by x: the mean of %d pictures over a loop, each %d ms after the one before it; a scene that stands "
         "still is given a turn in 4 s. <b>Raw</b> is codec 0. <b>Changed rows</b> are those that a panel is sent, "
         "raw. <b>Alone</b> is a key frame, codec 1. <b>As sent</b> is against the last picture, codec 2; either "
@@ -102,7 +102,7 @@ static int streams_plot(FILE *out, const struct streams *s, unsigned kind)
                 (unsigned)s->scenes[i].most[kind][TRAFFIC_CHANGE]);
     fprintf(script,
             "END\nset terminal svg size 430,%u dynamic font \"sans-serif,13\" noenhanced\n"
-            "set logscale x\nset xrange [700:140000]\nset yrange [%u.6:-0.6]\n"
+            "set logscale x\nset xrange [500:140000]\nset yrange [%u.6:-0.6]\n"
             "set xtics (\"1k\" 1000, \"2k\" 2000, \"5k\" 5000, \"10k\" 10000, \"20k\" 20000, \"50k\" 50000, "
             "\"100k\" 100000)\nset grid xtics ytics lc rgb \"#808080\" lw .5\n"
             "set lmargin at screen .3\nset rmargin at screen .97\nset bmargin at screen %g\n"

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define TRAFFIC_BAND    16u   /* rows */
+#define TRAFFIC_BANDS   4u    /* a picture */
 #define TRAFFIC_LOOP_MS 4000u /* of a scene that has no duration */
 #define TRAFFIC_MESSAGE (STREAM_HEADER + STREAM_CHECK)
 #define TRAFFIC_FRAME   (2 * TRAFFIC_MESSAGE + STREAM_FRAME_BEGIN + STREAM_FRAME_END) /* bytes besides its bands */
@@ -76,7 +76,7 @@ static const struct hal_display_ops traffic_ops = {.flush = traffic_flush};
 
 static void traffic_open(struct traffic_sender *s, const struct traffic_kind *kind, uint32_t stride)
 {
-    uint32_t band = TRAFFIC_BAND * stride;
+    uint32_t band = kind->height / TRAFFIC_BANDS * stride;
     s->display.ops = &traffic_ops;
     s->before = model_alloc((size_t)stride * kind->height);
     s->alone = (struct stream){.write = traffic_count,
@@ -136,7 +136,7 @@ static int traffic_scene(struct traffic *traffic, const char *path, const struct
     struct renderer renderer = {.choice = renderer_find("x"),
                                 .config = {.width = kind->width,
                                            .height = kind->height,
-                                           .band_rows = TRAFFIC_BAND,
+                                           .band_rows = (uint16_t)(kind->height / TRAFFIC_BANDS),
                                            .format = (uint8_t)kind->format,
                                            .flags = kind->dither ? GLINT_DITHER : 0}};
     int code = renderer_open(&renderer, scene);

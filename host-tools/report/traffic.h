@@ -2,7 +2,8 @@
 /*
  * What pictures take as a stream: a scene that moves is drawn by X, at TRAFFIC_MOMENTS of its loop (of 4 s, if it has
  * none), and again TRAFFIC_STEP_MS later; the second picture of each pair goes through the encoder, headers included,
- * in bands of 16 rows. Where nothing moves, each object is given a turn in 4 s.
+ * in four bands, as the Linux handheld sends it and the board with an OLED. Where nothing moves, each object is given a
+ * turn in 4 s.
  */
 #ifndef TRAFFIC_H
 #define TRAFFIC_H

@@ -25,7 +25,7 @@ thousands='function t(n) { n += 0; return n < 1000 ? n : int(n / 1000) "," sprin
 stream() { # TRAFFIC.CSV PACKING.CSV
     echo
     echo "Bytes a picture as a stream, headers included: alone (codec 1) / as sent, against the picture 20 ms before (codec 2). The"
-    echo "mean of 20 pictures over a loop, by x, in bands of 16 rows; a scene that stands still is given a turn in 4 s. \`make report\`"
+    echo "mean of 20 pictures over a loop, by x, in four bands; a scene that stands still is given a turn in 4 s. \`make report\`"
     echo "has more: changed rows, the longest picture, pictures a second, and what to choose."
     echo
     echo "| scene | RGB565 240×240 | dithered | GREY8 240×240 | GREY4 240×240, dithered | GREY4 128×64, dithered |"
@@ -45,7 +45,7 @@ stream() { # TRAFFIC.CSV PACKING.CSV
             printf "\n"
         }' "$1"
     echo
-    echo "What it takes to pack and check a picture of 57,600 pixels, the copy for the next one included (\`make bench-stream\`):"
+    echo "What it takes to pack and check a picture of 57,600 pixels in bands of 30 rows, codec 2 with the copy for the next one (\`make bench-stream\`):"
     echo
     tests/tools/bench_stream.sh "$2" markdown
     echo

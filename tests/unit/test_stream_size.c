@@ -22,17 +22,17 @@ static struct traffic measure(const char *name, unsigned kind)
     return traffic;
 }
 
-/* What is measured and 3 %. Promised are 14,000 bytes, and dithered 20,000: a fiftieth of 1 MB. */
+/* What is measured and 3 %, within what is promised: 14,000 bytes in the mean, dithered 20,000, a fiftieth of 1 MB. */
 static void a_moving_torus_fits_full_speed_usb(void **state)
 {
     static const struct {
         const char *name;
         uint32_t mean[2], most[2]; /* plain, dithered */
-    } tori[] = {{"torus288", {12150, 14980}, {14100, 18050}},
-                {"torus512", {12410, 15270}, {14510, 18850}},
-                {"torus800", {12410, 15320}, {14410, 18570}},
-                {"torus1000", {13310, 16960}, {16490, 19700}},
-                {"spin-torus800", {14590, 18840}, {19710, 23280}}};
+    } tori[] = {{"torus288", {11610, 14520}, {13570, 17540}},
+                {"torus512", {11870, 14800}, {13940, 18360}},
+                {"torus800", {11870, 14850}, {13860, 18060}},
+                {"torus1000", {12810, 16480}, {15990, 19100}},
+                {"spin-torus800", {14000, 18380}, {19230, 22830}}};
     (void)state;
     for (size_t i = 0; i < sizeof tori / sizeof *tori; i++)
         for (int kind = PLAIN; kind <= DITHERED; kind++) {
@@ -72,8 +72,7 @@ static void a_picture_of_bands_is_counted_to_the_byte(void **state)
     (void)state;
     assert_int_equal(traffic_measure(&t, "tests/scenes/strip.json"), 0);
     for (unsigned kind = 0; kind < TRAFFIC_KINDS; kind++) {
-        uint32_t bands = traffic_kinds[kind].height / 16u;
-        assert_int_equal(t.mean[kind][TRAFFIC_RAW], raw[kind] + 36 * bands + 36 + 12 + 36 + 32);
+        assert_int_equal(t.mean[kind][TRAFFIC_RAW], raw[kind] + 4 * 36 + 36 + 12 + 36 + 32);
         assert_int_equal(t.most[kind][TRAFFIC_RAW], t.mean[kind][TRAFFIC_RAW]);
     }
 }
