@@ -46,20 +46,30 @@ static void usb_stream_refused(struct usb_stream *u, long reason)
         u->arrived++;
 }
 
+/* What did not go well is not tried again at once. */
+static void usb_stream_pause(struct usb_stream *u)
+{
+    struct timespec until = usb_stream_after(PAUSE_US);
+    while (!u->stop && usb_stream_wait(u, &until))
+        ;
+}
+
 /* --- the threads ----------------------------------------------------------------------------------------------------
  */
 
 static void *usb_stream_events(void *argument)
 {
     struct usb_stream *u = argument;
-    for (enum ffs_event event; (event = ffs_next(&u->ffs)) < FFS_STOPPED;) {
-        if (event == FFS_NOTHING)
-            continue;
+    for (enum ffs_event event; (event = ffs_next(&u->ffs)) != FFS_STOPPED;) {
         pthread_mutex_lock(&u->mutex);
-        u->there = event == FFS_COMES;
-        u->arrived += u->there;
-        usb_stream_forget(u);
-        pthread_cond_broadcast(&u->change);
+        if (event == FFS_BROKEN) {
+            usb_stream_pause(u);
+        } else if (event != FFS_NOTHING) {
+            u->there = event == FFS_COMES;
+            u->arrived += u->there;
+            usb_stream_forget(u);
+            pthread_cond_broadcast(&u->change);
+        }
         pthread_mutex_unlock(&u->mutex);
     }
     return NULL;
@@ -140,10 +150,8 @@ static void *usb_stream_hears(void *argument)
             continue;
         if (count >= 0) {
             usb_stream_heard(u, bytes, (uint32_t)count);
-        } else { /* over, or strange: not at once again */
-            struct timespec until = usb_stream_after(PAUSE_US);
-            while (!u->stop && usb_stream_wait(u, &until))
-                ;
+        } else {
+            usb_stream_pause(u);
         }
     }
     pthread_mutex_unlock(&u->mutex);
