@@ -302,8 +302,10 @@ void files_close(int descriptor)
 {
     usb_lock();
     usb_machine.open[descriptor]--;
-    if (descriptor == USB_CONTROL)
+    if (descriptor == USB_CONTROL) { /* the last of the function's files: the kernel takes the plug out */
+        usb_unplug_now();
         usb_machine.tellings = usb_machine.events = 0;
+    }
     if (descriptor == USB_STOP)
         usb_machine.stopped = 0;
     usb_unlock();
