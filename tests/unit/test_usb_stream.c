@@ -2,6 +2,29 @@
 /* Pictures to a USB host that comes, goes, and reads or not. */
 #include "usb_case.h"
 
+static void usb_read(int reads)
+{
+    usb_lock();
+    usb_machine.reads = reads;
+    usb_unlock();
+}
+
+static void usb_send(const void *bytes, size_t size)
+{
+    usb_lock();
+    memcpy(usb_machine.sends + usb_machine.sends_size, bytes, size);
+    usb_machine.sends_size += size;
+    usb_unlock();
+}
+
+static void usb_request(uint8_t type)
+{
+    usb_lock();
+    usb_machine.event[usb_machine.events].u.setup = (struct usb_ctrlrequest){.bRequestType = type, .bRequest = 0x99};
+    usb_event(FUNCTIONFS_SETUP);
+    usb_unlock();
+}
+
 /* Until the host has so many bytes, or has waited long enough. */
 static size_t received(size_t count)
 {
