@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* A link to a USB host on the machine of usb_machine.h, opened, written to and closed. */
-#ifndef USB_CASE_H
-#define USB_CASE_H
+/* A link to a USB host on the machine of gadget_machine.h, opened, written to and closed. */
+#ifndef GADGET_CASE_H
+#define GADGET_CASE_H
 
-#include "usb_machine.h"
+#include "gadget_machine.h"
 
 #include "display.h"
 #include "linux/usb_stream.h"

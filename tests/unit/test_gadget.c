@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* How a machine becomes a USB device and ceases to be one, whatever fails. */
-#include "usb_case.h"
+#include "gadget_case.h"
 
 static void assert_tells(const char *part)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Pictures to a USB host that comes, goes, and reads or not. */
-#include "usb_case.h"
+#include "gadget_case.h"
 
 static void usb_read(int reads)
 {

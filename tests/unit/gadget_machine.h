@@ -4,8 +4,8 @@
  * configfs and FunctionFS have them, refusing what these refuse. Each call is counted, and one of them, or all from
  * there on, can be made to fail.
  */
-#ifndef USB_MACHINE_H
-#define USB_MACHINE_H
+#ifndef GADGET_MACHINE_H
+#define GADGET_MACHINE_H
 
 #include "linux/files.h"
 
