@@ -66,7 +66,7 @@ static void options_reach_their_settings(void **state)
                            "--size 135x240 --rotate 270 --bgr --invert=off --offset-x 52 --offset-y 40 --whole=on "
                            "--refresh 0 --spi-mode 3 --speed 62.5M --reset none --backlight !light "
                            "--keys up=1,y=key-y --keys-high --scene other --method phong --budget 9 --fps 50 "
-                           "--figures=off --still --time 1500 --step 40 --frames 7"),
+                           "--dither --figures=off --still --time 1500 --step 40 --frames 7"),
                      -1);
     assert_string_equal(told, "");
     assert_ptr_equal(settings.controller, &panel_st7789);
@@ -94,6 +94,8 @@ static void options_reach_their_settings(void **state)
     assert_int_equal(settings.start.control.scene, 1);
     assert_string_equal(glint_choices[settings.start.control.method].name, "phong");
     assert_int_equal(settings.start.control.budget, 9);
+    assert_int_equal(settings.dithers, 1);
+    assert_int_equal(settings.dither, 1);
     assert_int_equal(settings.start.period_us, 20000);
     assert_int_equal(settings.start.control.figures, 0);
     assert_int_equal(settings.start.control.running, 0);
@@ -108,6 +110,7 @@ static void pictures_go_over_usb_with_a_panel_or_without(void **state)
     (void)state;
     assert_int_equal(reads(LEAST), -1);
     assert_int_equal(settings.usb, 0);
+    assert_int_equal(settings.dithers, 0);
     assert_int_equal(reads(LEAST "--stream usb --udc fe980000.usb --usb-serial A-1"), -1);
     assert_int_equal(settings.usb, 1);
     assert_int_equal(settings.bare, 0);
