@@ -19,7 +19,14 @@ suite-exhaustive: $(EXHAUSTIVE_BIN)
 	@status=0; for program in $^; do \
 		if $$program; then echo "ok $$program"; else echo "FAIL $$program"; status=1; fi; done; exit $$status
 
-suite-cli: $(GLINT) $(VIEW)
+# The viewer as it is where there is neither SDL2 nor libusb.
+VIEW_SRC := $(wildcard host-tools/view/*.c)
+PLAIN_VIEW := $(BUILD)/plain/glint-view
+$(PLAIN_VIEW): $(VIEW_SRC) $(HOST_LIB) $(CORE_LIB)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(HOST_FLAGS) $(PACKAGE_FLAGS) $(OPT) $(CFLAGS) $(LDFLAGS) $^ $(PACKAGE_LIBS) -lm -o $@
+
+suite-cli: $(GLINT) $(VIEW) $(PLAIN_VIEW)
 	@status=0; for script in $(CLI_TESTS); do echo "# $$script"; bash $$script $(GLINT) || status=1; done; exit $$status
 
 suite-models: $(GLINT)
@@ -55,7 +62,7 @@ suite-docs: $(CORE_LIB) $(SCENE_C) $(BENCH_ELF)
 suite-sanitize: $(SCENE_C)
 	@$(MAKE) BUILD=$(BUILD)/sanitize CC=clang OPT=-O1 CFLAGS="$(SANITIZE)" CORE_CFLAGS="$(SANITIZE_CORE)" suite-sanitized
 
-suite-sanitized: $(BUILD)/golden $(UNIT_BIN) $(GLINT) $(VIEW)
+suite-sanitized: $(BUILD)/golden $(UNIT_BIN) $(GLINT) $(VIEW) $(PLAIN_VIEW)
 	@status=0; $(MAKE) suite-unit || status=1; $(MAKE) suite-cli || status=1; \
 	tests/tools/check_golden.sh "sanitizers on this machine" all $(BUILD)/golden || status=1; exit $$status
 
@@ -91,11 +98,13 @@ $(BUILD)/report/flash.csv: $(REPORT_CPUS:%=$(BUILD)/%/report.elf) tests/tools/fl
 
 REPORT_JSON := $(foreach s,$(REPORT_SCENES),$(call scene_file,$(s)))
 REPORT_IDEAL := $(wildcard $(REPORT_JSON:.json=-ideal.json))
+STREAM_JSON := $(STREAM_SCENES:%=tests/scenes/%.json)
 # With the boards' section once `make bench-boards` has measured.
 REPORT_BOARDS := $(wildcard $(BUILD)/bench/boards.csv)
-$(BUILD)/report/index.html: $(GLINT) $(REPORT_BOARDS) $(BUILD)/report/costs.csv $(BUILD)/report/flash.csv $(BUILD)/report/powers.csv $(REPORT_JSON) $(REPORT_IDEAL)
+$(BUILD)/report/index.html: $(GLINT) $(REPORT_BOARDS) $(BUILD)/report/costs.csv $(BUILD)/report/flash.csv $(BUILD)/report/powers.csv $(BUILD)/bench/stream.csv \
+		$(REPORT_JSON) $(REPORT_IDEAL) $(STREAM_JSON)
 	$(Q)$(GLINT) report -o $(@D) --costs $(@D)/costs.csv --flash $(@D)/flash.csv --powers $(@D)/powers.csv \
-		$(REPORT_BOARDS:%=--boards %) $(REPORT_JSON)
+		--packing $(BUILD)/bench/stream.csv $(STREAM_JSON:%=--stream %) $(REPORT_BOARDS:%=--boards %) $(REPORT_JSON)
 
 report-page: $(BUILD)/report/index.html
 	@echo "$<"
@@ -108,9 +117,13 @@ bench-setup-table: $(CPUS:%=$(BUILD)/bench/setup-%.csv) $(BUILD)/bench/setup $(B
 	@tests/tools/bench_setup.sh $(BUILD)/bench/setup_count $(BUILD)/bench/setup $(BUILD)/bench/setup_real \
 		$(foreach c,$(CPUS),$(c)=$(BUILD)/bench/setup-$(c).csv)
 
-bench-stream-table: $(CPUS:%=$(BUILD)/%/stream.elf)
-	@echo "cpu, scene, format, codec, bytes a 240x240 picture, instructions to pack and check it"
-	@$(foreach c,$(CPUS),$(call QEMU,$(c)) -icount shift=0 -kernel $(BUILD)/$(c)/stream.elf | sed 's/^/$(c),/; s/,/, /g' &&) :
+$(BUILD)/bench/stream.csv: $(CPUS:%=$(BUILD)/%/stream.elf)
+	@mkdir -p $(@D)
+	@{ echo cpu,scene,format,codec,pixels,bytes,instructions; \
+	$(foreach c,$(CPUS),$(call QEMU,$(c)) -icount shift=0 -kernel $(BUILD)/$(c)/stream.elf | sed 's/^/$(c),/' &&) :; } >$@.part && mv $@.part $@
+
+bench-stream-table: $(BUILD)/bench/stream.csv
+	@tests/tools/bench_stream.sh $<
 
 profile-run: $(BENCH_ELF)
 	@tests/tools/profile.sh "$(call QEMU,$(or $(CPU),m4)) -kernel" $(BUILD)/$(or $(CPU),m4)/bench.elf \
@@ -136,7 +149,7 @@ lint-run:
 		--suppress=missingIncludeSystem \
 		--suppress=shiftNegativeLHS --suppress=shiftTooManyBitsSigned $(INCLUDE) $(CORE_SRC) $(HOST_SRC) $(wildcard hal/*/*.c) || status=1; \
 	clang-tidy --quiet --warnings-as-errors='*' $(CORE_SRC) $(HOST_SRC) -- -std=c11 -D_XOPEN_SOURCE=700 $(INCLUDE) \
-		$(PACKAGE_FLAGS) || status=1; exit $$status
+		$(PACKAGE_FLAGS) $(VIEW_FLAGS) || status=1; exit $$status
 
 .PHONY: suite-unit suite-exhaustive suite-cli suite-models suite-core suite-golden suite-device suite-docs suite-sanitize \
 	suite-sanitized suite-bench bench-table bench-setup-table bench-stream-table report-page profile-run size-table stack-table golden-update lint-run \
