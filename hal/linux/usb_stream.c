@@ -78,16 +78,15 @@ static void *usb_stream_events(void *argument)
 }
 
 /* What is to leave next, copied: how many bytes. A transfer of the host's ends with a packet that is not full: where
- * nothing follows, a zero byte, which is no message, makes it so. */
-static uint32_t usb_stream_piece(struct usb_stream *u, uint32_t *padding)
+ * nothing follows yet, the last byte stays behind to make it so, and then goes alone. */
+static uint32_t usb_stream_piece(struct usb_stream *u)
 {
     uint64_t waiting = u->written - u->sent;
-    uint32_t count = waiting < USB_STREAM_PIECE ? (uint32_t)waiting : USB_STREAM_PIECE,
-             at = (uint32_t)(u->sent % u->size), first = count < u->size - at ? count : u->size - at;
+    uint32_t count = waiting < USB_STREAM_PIECE ? (uint32_t)waiting : USB_STREAM_PIECE;
+    count -= count == waiting && count % FFS_PACKET == 0;
+    uint32_t at = (uint32_t)(u->sent % u->size), first = count < u->size - at ? count : u->size - at;
     memcpy(u->piece, u->queue + at, first);
     memcpy(u->piece + first, u->queue, count - first);
-    u->piece[count] = 0;
-    *padding = count == waiting && count % FFS_PACKET == 0;
     return count;
 }
 
@@ -111,14 +110,14 @@ static void *usb_stream_sends(void *argument)
         usb_stream_gather(u);
         if (u->written == u->sent)
             continue;
-        uint32_t padding, count = usb_stream_piece(u, &padding), connection = u->arrived;
+        uint32_t count = usb_stream_piece(u), connection = u->arrived;
         u->leaving = u->sent + count;
         pthread_mutex_unlock(&u->mutex);
-        long result = ffs_send(&u->ffs, u->piece, count + padding);
+        long result = ffs_send(&u->ffs, u->piece, count);
         pthread_mutex_lock(&u->mutex);
         if (connection != u->arrived || !u->there)
             continue;
-        if (result == (long)(count + padding))
+        if (result == (long)count)
             u->sent += count;
         else
             usb_stream_refused(u, result);
@@ -173,8 +172,9 @@ static enum hal_link_frame usb_stream_begin(struct hal_link *link, uint32_t *ski
         u->known = u->arrived;
         frame = HAL_LINK_TAKES_FIRST;
     } else if (u->there) {
-        /* the last one has begun to leave, and what is left of it is no more than one */
-        int room = u->leaving > u->begun_at || u->sent == u->written;
+        /* the last one has begun to leave, if there is something of it */
+        int room =
+            (u->leaving > u->begun_at || u->sent == u->written) && u->size - (u->written - u->sent) >= u->frame_most;
         frame = room ? HAL_LINK_TAKES : HAL_LINK_LEAVES;
         *skipped += !room;
     }

@@ -43,7 +43,7 @@ struct usb_stream {
     uint64_t begun_at;         /* bytes before the last picture */
     uint64_t heard, read;      /* bytes: from the host, and told */
     uint8_t host[USB_STREAM_HEARD];
-    uint8_t piece[USB_STREAM_PIECE + 1];
+    uint8_t piece[USB_STREAM_PIECE];
 };
 
 /* Plugs the device in: 0, or HAL_E_IO and the problem, with nothing held. The queue is in use until it is closed. */
