@@ -235,7 +235,8 @@ static void live_words(struct session *s, const struct status *status)
     if (l->controls.help)
         status_keys(&text[OVERLAY_MIDDLE]);
     else if (!s->port.there)
-        overlay_add(&text[OVERLAY_MIDDLE], "waiting for %s", s->port.name);
+        overlay_add(&text[OVERLAY_MIDDLE], "waiting for %s%s%s", s->port.name, s->port.why ? ": " : "",
+                    s->port.why ? s->port.why : "");
     else if (!l->shown.picture.pixels)
         overlay_add(&text[OVERLAY_MIDDLE], "no picture so far");
     else if (s->ended && s->port.asks)
@@ -268,7 +269,9 @@ bool live_step(struct session *s)
         window_dim(l->window, !there);
         l->words = true;
     }
+    l->words |= l->why != s->port.why;
     l->there = there;
+    l->why = s->port.why;
     bool ended = s->ended && l->waits, shown = live_show(s);
     if (cli_clock() - l->opened > LIVE_HIDDEN_MS && !l->shown.picture.pixels && l->opened > 0.) {
         live_size(l);

@@ -34,6 +34,7 @@ struct live {
     char film[DUMP_NAME];            /* recorded by key; empty: none */
     unsigned scale;                  /* as last asked for */
     bool there, words;               /* the device was; the words must be written anew */
+    const char *why;                 /* it was not */
 };
 
 /* Exit codes, with a message. */

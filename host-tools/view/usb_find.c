@@ -133,12 +133,20 @@ const char *usb_find_reason(int result)
     case LIBUSB_ERROR_NOT_FOUND:
         return "no device";
     case LIBUSB_ERROR_ACCESS:
-        return "access denied; 'sudo cp host-tools/view/70-glint.rules /etc/udev/rules.d/', then plug it in again";
+        return "access denied";
     case LIBUSB_ERROR_BUSY:
         return "in use by another program";
     default:
         return libusb_strerror(result);
     }
+}
+
+void usb_find_tell(const char *name, int result)
+{
+    fprintf(stderr, "%s: %s%s\n", name, usb_find_reason(result),
+            result != LIBUSB_ERROR_ACCESS
+                ? ""
+                : "; 'sudo cp host-tools/view/70-glint.rules /etc/udev/rules.d/', then plug it in again");
 }
 
 static const char *usb_find_speed(libusb_device *device)
@@ -177,7 +185,7 @@ int usb_find_list(void)
     unsigned found = 0;
     int result = libusb_init(&context), problem = LIBUSB_ERROR_NOT_FOUND;
     if (result) {
-        fprintf(stderr, "usb: %s\n", usb_find_reason(result));
+        usb_find_tell("usb", result);
         return CLI_IO;
     }
     ssize_t count = libusb_get_device_list(context, &list);
@@ -198,7 +206,7 @@ int usb_find_list(void)
         problem = (int)count;
     libusb_exit(context);
     if (!found || problem != LIBUSB_ERROR_NOT_FOUND)
-        fprintf(stderr, "usb: %s\n", usb_find_reason(problem));
+        usb_find_tell("usb", problem);
     return found ? CLI_DONE : CLI_IO;
 }
 #endif

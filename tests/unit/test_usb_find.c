@@ -88,7 +88,7 @@ static void what_is_not_glints_is_left_alone(void **state)
 }
 
 /* At the second look: a device that has just come may not have its rights yet. */
-static void access_denied_is_told_once_with_its_remedy(void **state)
+static void access_denied_is_told_once_a_plug_with_its_remedy(void **state)
 {
     struct port port;
     struct reader reader = {0};
@@ -103,6 +103,18 @@ static void access_denied_is_told_once_with_its_remedy(void **state)
     port_missing(&port);
     case_heard();
     assert_int_equal(case_lines("\n"), 1);
+    assert_int_equal(case_lines("70-glint.rules"), 1);
+    assert_string_equal(port.why, "access denied");
+    machine.devices[0].there = false;
+    for (int i = 0; i < 20; i++)
+        reader_step(&reader, &port);
+    assert_null(port.why);
+    machine_plug(0, "A1");
+    machine.devices[0].denied = true;
+    case_listen();
+    for (int i = 0; i < 20; i++)
+        reader_step(&reader, &port);
+    case_heard();
     assert_int_equal(case_lines("70-glint.rules"), 1);
     machine.devices[0].denied = false;
     assert_true(reader_run(&reader, &port, 1, 1000));
@@ -215,7 +227,7 @@ int main(void)
         cmocka_unit_test(the_serial_number_chooses),
         cmocka_unit_test(of_two_the_first_that_is_free_is_taken_and_named),
         cmocka_unit_test(what_is_not_glints_is_left_alone),
-        cmocka_unit_test(access_denied_is_told_once_with_its_remedy),
+        cmocka_unit_test(access_denied_is_told_once_a_plug_with_its_remedy),
         cmocka_unit_test(a_right_that_comes_in_time_is_no_message),
         cmocka_unit_test(a_device_of_another_program_is_told_once),
         cmocka_unit_test(who_waits_no_longer_says_for_what),
