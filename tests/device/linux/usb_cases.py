@@ -45,7 +45,7 @@ def pictures(usb, glint):
 
 def sizes(usb, glint):
     yield from all_right(usb, glint, "320x240", f"{BARE} --panel none --size 320x240 {DEMO}", f"{RGB} --size 320x240", 60)
-    yield from all_right(usb, glint, "dithered", f"{PLAIN} --dither {DEMO}", f"{RGB} --dither --size 240x240", 60)
+    yield from all_right(usb, glint, "37x23", f"{BARE} --panel none --size 37x23 {DEMO}", f"{RGB} --size 37x23", 60)
 
 
 def cable(usb, glint):
