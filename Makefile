@@ -113,12 +113,14 @@ report: deps-test ## Pictures, errors and costs of every method on every scene, 
 bench-setup: deps-test ## The papers' quadratic set-ups: operations, instructions, seconds; writes build/bench/setup.csv
 	$(Q)$(MAKE) --no-print-directory bench-setup-table
 
-bench-stream: deps-test ## Bytes a picture of a stream, and instructions to pack it, on Cortex-M0+, M3 and M4
+bench-stream: deps-test ## Bytes a picture of a stream, and instructions to pack it, on Cortex-M0+, M3, M4; writes build/bench/stream.csv
 	$(Q)$(MAKE) --no-print-directory bench-stream-table
 
-figures: deps-test ## Write the README's figures of quality and cost anew
+figures: deps-test ## Write the figures of quality and cost in the README files anew
 	$(Q)$(MAKE) --no-print-directory bench-table bench-boards-table report-page
-	$(Q)tests/tools/figures.sh $(GLINT) $(BUILD)/bench/bench.csv $(BUILD)/report/report.csv README.md
+	$(Q)tests/tools/figures.sh $(GLINT) $(BUILD)/bench/bench.csv $(BUILD)/report/report.csv $(BUILD)/report/stream.csv \
+		$(BUILD)/bench/stream.csv README.md
+	$(Q)tests/tools/figures.sh stream $(BUILD)/report/stream.csv $(BUILD)/bench/stream.csv | tests/tools/paste.sh host-tools/README.md
 	$(Q){ $(MAKE) -s --no-print-directory bench-boards-table; echo; } | tests/tools/paste.sh boards/README.md
 	$(Q){ echo; $(MAKE) -s --no-print-directory bench-setup-table | sed "s/^./    &/"; echo; } | tests/tools/paste.sh tests/setups/README.md
 

@@ -20,7 +20,7 @@ view = glint + "-view"
 
 
 def verdict(name, problem=None):
-    print(f"FAIL {name}: {problem}" if problem else f"ok {name}", flush=True)
+    print(f"FAIL {name}: {' '.join(str(problem).split())}" if problem else f"ok {name}", flush=True)
 
 
 def read(path):
