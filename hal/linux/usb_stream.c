@@ -163,25 +163,24 @@ static void *usb_stream_hears(void *argument)
 /* --- the link -------------------------------------------------------------------------------------------------------
  */
 
-static enum hal_link_frame usb_stream_begin(struct hal_link *link, uint32_t *skipped)
+/* Somebody is there, of whom the reader was told. */
+static int usb_stream_knows(const struct usb_stream *u)
+{
+    return u->there && u->known == u->arrived;
+}
+
+static uint32_t usb_stream_begin(struct hal_link *link, uint32_t *skipped)
 {
     struct usb_stream *u = (struct usb_stream *)link;
-    enum hal_link_frame frame = HAL_LINK_LEAVES;
     pthread_mutex_lock(&u->mutex);
-    if (u->there && u->known != u->arrived) {
-        u->known = u->arrived;
-        frame = HAL_LINK_TAKES_FIRST;
-    } else if (u->there) {
-        /* the last one has begun to leave, if there is something of it */
-        int room =
-            (u->leaving > u->begun_at || u->sent == u->written) && u->size - (u->written - u->sent) >= u->frame_most;
-        frame = room ? HAL_LINK_TAKES : HAL_LINK_LEAVES;
-        *skipped += !room;
-    }
-    if (frame != HAL_LINK_LEAVES)
+    /* room: the last one has begun to leave, if there is something of it */
+    uint32_t knows = usb_stream_knows(u) != 0, takes = knows && (u->leaving > u->begun_at || u->sent == u->written) &&
+                                                       u->size - (u->written - u->sent) >= u->frame_most;
+    if (takes)
         u->begun_at = u->written;
+    *skipped += knows - takes;
     pthread_mutex_unlock(&u->mutex);
-    return frame;
+    return takes;
 }
 
 static int usb_stream_write(void *link, const void *bytes, size_t size)
@@ -189,7 +188,7 @@ static int usb_stream_write(void *link, const void *bytes, size_t size)
     struct usb_stream *u = link;
     int result = 0;
     pthread_mutex_lock(&u->mutex);
-    if (!u->there || u->known != u->arrived)
+    if (!usb_stream_knows(u))
         result = HAL_E_IO;
     else if (size > u->size - (u->written - u->sent))
         result = HAL_E_FULL;
@@ -204,18 +203,23 @@ static int usb_stream_write(void *link, const void *bytes, size_t size)
     return result;
 }
 
-static uint32_t usb_stream_read(struct hal_link *link, void *bytes, uint32_t size)
+static int32_t usb_stream_read(struct hal_link *link, void *bytes, uint32_t size)
 {
     struct usb_stream *u = (struct usb_stream *)link;
-    uint32_t count = 0;
+    int32_t count = 0;
     pthread_mutex_lock(&u->mutex);
-    for (; u->known == u->arrived && count < size && u->read < u->heard; count++)
-        ((uint8_t *)bytes)[count] = u->host[u->read++ % USB_STREAM_HEARD];
+    if (u->there && u->known != u->arrived) {
+        u->known = u->arrived;
+        count = HAL_LINK_COMES;
+    } else {
+        for (; (uint32_t)count < size && u->read < u->heard; count++)
+            ((uint8_t *)bytes)[count] = u->host[u->read++ % USB_STREAM_HEARD];
+    }
     pthread_mutex_unlock(&u->mutex);
     return count;
 }
 
-static const struct hal_link_ops usb_stream_ops = {usb_stream_begin, usb_stream_write, usb_stream_read};
+static const struct hal_link_ops usb_stream_ops = {usb_stream_read, usb_stream_begin, usb_stream_write};
 
 /* --- open and close -------------------------------------------------------------------------------------------------
  */

@@ -35,7 +35,7 @@ struct usb_stream {
     pthread_mutex_t mutex; /* of all below */
     pthread_cond_t change;
     uint8_t stop, there;
-    uint32_t arrived, known; /* connections: how many there were; which one begin has told of */
+    uint32_t arrived, known; /* connections: how many there were; which one read has told of */
     uint8_t *queue;
     uint32_t size, frame_most; /* bytes; size: of the queue, two of the other */
     uint64_t written, sent;    /* bytes: into the queue, and taken by the host */
