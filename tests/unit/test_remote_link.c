@@ -76,8 +76,11 @@ uint32_t stack_used(void)
 }
 void stack_check(void) {}
 
-/* A display that shows what it was given. */
+/* A display that shows what it was given, or fails once. */
 static uint8_t shown[PICTURE];
+static uint32_t fails_in, fails_at; /* the picture, from 1 on; the row */
+
+static int display_fails(uint32_t y);
 
 static int display_open(struct hal_display *display, uint16_t width, uint16_t height, enum hal_pixel_format format)
 {
@@ -89,7 +92,7 @@ static int display_flush(struct hal_display *display, const void *pixels, uint16
 {
     (void)display;
     memcpy(shown + y * stride, pixels, rows * stride);
-    return 0;
+    return display_fails(y) ? HAL_E_IO : 0;
 }
 
 static int display_close(struct hal_display *display, int keep)
@@ -122,6 +125,13 @@ static struct {
     char log[512];
     int still;
 } line;
+
+static int display_fails(uint32_t y)
+{
+    int fails = fails_in && line.begun == fails_in && y >= fails_at;
+    fails_in = fails ? 0 : fails_in;
+    return fails;
+}
 
 static uint32_t line_begin(struct hal_link *link, uint32_t *skipped)
 {
@@ -230,7 +240,7 @@ static void run(const char *answers)
                                 .log = stream_log};
     struct app_start start;
     app_usual(&start);
-    start.pictures = (uint32_t)strlen(answers);
+    start.pictures = (uint32_t)strlen(answers) - (fails_in != 0);
     start.step_us = 40000;
     line.link.ops = &ops;
     start.control.running = !line.still;
@@ -239,7 +249,7 @@ static void run(const char *answers)
     frames_open(&line.frames, &events);
     reports[0] = 0;
     assert_int_equal(app_run(&board, &start), 0);
-    assert_int_equal(line.begun, start.pictures);
+    assert_int_equal(line.begun, strlen(answers));
     assert_int_equal(line.wrong, 0);
     frames_close(&line.frames);
 }
@@ -320,6 +330,21 @@ static void a_link_that_breaks_in_a_picture_loses_that_one(void **state)
     fail_msg("no picture was short enough");
 }
 
+/* At every band: what has come of the picture is of no use, and nothing refers to it. */
+static void a_display_that_fails_in_a_picture_loses_that_one(void **state)
+{
+    (void)state;
+    for (uint32_t y = 0; y < HEIGHT; y += BAND_ROWS) {
+        forget(NULL);
+        fails_in = 3;
+        fails_at = y;
+        run("!+++++");
+        assert_int_equal(line.pictures, y + BAND_ROWS < HEIGHT ? 5 : 6);
+        assert_int_equal(line.picture[2].key, y + BAND_ROWS < HEIGHT);
+        assert_int_equal(line.picture[3].key, y + BAND_ROWS >= HEIGHT);
+    }
+}
+
 static void a_key_frame_is_sent_when_asked_for(void **state)
 {
     (void)state;
@@ -386,6 +411,7 @@ int main(void)
         cmocka_unit_test_setup(what_is_left_out_is_counted_and_spoils_nothing, forget),
         cmocka_unit_test_setup(who_comes_again_begins_with_hello_and_a_key_frame, forget),
         cmocka_unit_test_setup(a_link_that_breaks_in_a_picture_loses_that_one, forget),
+        cmocka_unit_test_setup(a_display_that_fails_in_a_picture_loses_that_one, forget),
         cmocka_unit_test_setup(a_key_frame_is_sent_when_asked_for, forget),
         cmocka_unit_test_setup(pictures_echo_the_last_request_of_this_connection, forget),
         cmocka_unit_test_setup(reports_go_over_the_link_too, forget),
