@@ -114,6 +114,7 @@ static struct {
     uint32_t bytes;                   /* of the picture under way */
     uint8_t says[256];                /* to the device, before the picture says_at */
     uint32_t says_count, says_at;
+    uint32_t talks, reads; /* talks: there is always more to read; reads: since the last picture */
     struct frames frames;
     struct {
         uint32_t number, skipped, moment_ms;
@@ -141,6 +142,7 @@ static uint32_t line_begin(struct hal_link *link, uint32_t *skipped)
     line.taken = answer == '!' || answer == '+';
     *skipped += answer == '-';
     line.bytes = 0;
+    line.reads = 0;
     if (answer == '!') {
         const struct frames_events events = line.frames.events;
         frames_close(&line.frames);
@@ -173,6 +175,11 @@ static int32_t line_read(struct hal_link *link, void *bytes, uint32_t size)
     if (line.answers[line.begun] == '!' && line.told != line.begun + 1) {
         line.told = line.begun + 1;
         return HAL_LINK_COMES;
+    }
+    if (line.talks) {
+        assert_in_range(++line.reads, 1, 1000);
+        memset(bytes, 0x55, size);
+        return (int32_t)size;
     }
     if (line.begun < line.says_at)
         return 0;
@@ -369,6 +376,14 @@ static void pictures_echo_the_last_request_of_this_connection(void **state)
         assert_int_equal(line.picture[i].echo, echoes[i]);
 }
 
+static void one_who_talks_without_end_stops_nothing(void **state)
+{
+    (void)state;
+    line.talks = 1;
+    run("!++++");
+    assert_int_equal(line.pictures, 5);
+}
+
 static void reports_go_over_the_link_too(void **state)
 {
     (void)state;
@@ -414,6 +429,7 @@ int main(void)
         cmocka_unit_test_setup(a_display_that_fails_in_a_picture_loses_that_one, forget),
         cmocka_unit_test_setup(a_key_frame_is_sent_when_asked_for, forget),
         cmocka_unit_test_setup(pictures_echo_the_last_request_of_this_connection, forget),
+        cmocka_unit_test_setup(one_who_talks_without_end_stops_nothing, forget),
         cmocka_unit_test_setup(reports_go_over_the_link_too, forget),
         cmocka_unit_test_setup(a_standing_picture_reaches_everybody, forget),
         cmocka_unit_test_setup(without_anybody_there_nothing_is_written, forget),
