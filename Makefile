@@ -33,6 +33,13 @@ PACKAGES := libpng jansson assimp zlib
 once = $(eval $(1) := $$(shell $(2)))$($(1))
 PACKAGE_FLAGS = $(call once,PACKAGE_FLAGS,pkg-config --cflags $(PACKAGES))
 PACKAGE_LIBS = $(call once,PACKAGE_LIBS,pkg-config --libs $(PACKAGES))
+# glint-view has USB and a window where there are libusb and SDL2, unless LIBUSB= or SDL2= says otherwise.
+LIBUSB ?= libusb-1.0
+SDL2 ?= sdl2
+VIEW_PACKAGES = $(call once,VIEW_PACKAGES,for p in $(LIBUSB) $(SDL2); do pkg-config --exists $$$$p && echo $$$$p; done)
+VIEW_FLAGS = $(if $(filter $(LIBUSB),$(VIEW_PACKAGES)),-DHAVE_LIBUSB) $(if $(filter $(SDL2),$(VIEW_PACKAGES)),-DHAVE_SDL2) \
+	$(call once,VIEW_CFLAGS,$(if $(VIEW_PACKAGES),pkg-config --cflags $(VIEW_PACKAGES)))
+VIEW_LIBS = $(call once,VIEW_LDLIBS,$(if $(VIEW_PACKAGES),pkg-config --libs $(VIEW_PACKAGES)))
 CMOCKA_LIBS = $(call once,CMOCKA_LIBS,pkg-config --libs cmocka)
 
 CORE_OBJ := $(CORE_SRC:%.c=$(BUILD)/obj/%.o)
@@ -52,6 +59,9 @@ all: | $(filter deps-demo,$(MAKECMDGOALS)) ## Build the command line tools, buil
 demo: deps-demo ## Render the demo (or SCENE=file) into build/demo/
 	$(Q)$(MAKE) --no-print-directory tool
 	$(Q)$(GLINT) demo '$(SCENE)' '$(BUILD)/demo'
+
+view: deps-view ## Build the viewer of streams, build/glint-view, with USB and a window
+	$(Q)$(MAKE) --no-print-directory $(VIEW)
 
 test: deps-test ## Run every test; the last line counts them
 	$(Q)tests/tools/run.sh unit cli models core golden device rp2040 linux docs sanitize bench
@@ -132,7 +142,7 @@ deps: deps-test ## Install what building and testing need (DEPS=manual only prin
 
 deps-demo: ## Install what building the tool needs: `make deps-demo all` in a CI job
 
-deps-demo deps-test deps-linux:
+deps-demo deps-view deps-test deps-linux:
 	$(Q)tests/tools/deps.sh $(@:deps-%=%)
 
 BOARD_DEPS := $(BOARD_SORT:board=test)
@@ -162,10 +172,16 @@ $(CORE_OBJ): $(BUILD)/obj/%.o: %.c
 	$(Q)$(CC) $(CORE_FLAGS) $(OPT) -g $(CFLAGS) $(CORE_CFLAGS) -MMD -MP -c $< -o $@
 
 $(filter $(BUILD)/obj/hal/%,$(HOST_OBJ)): HAL_CFLAGS = $(CORE_CFLAGS)
+# Compiled anew when a library has come or gone.
+VIEW_OBJ := $(filter $(BUILD)/obj/host-tools/view/%,$(HOST_OBJ))
+$(VIEW_OBJ): LIBRARY_FLAGS = $(VIEW_FLAGS)
+$(VIEW_OBJ): $(BUILD)/view.flags
+$(BUILD)/view.flags: always
+	@mkdir -p $(@D); echo '$(VIEW_FLAGS)' | cmp -s - $@ || echo '$(VIEW_FLAGS)' >$@
 $(HOST_OBJ): $(BUILD)/obj/%.o: %.c
 	$(call say,CC,$<)
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(HOST_FLAGS) $(PACKAGE_FLAGS) $(OPT) -g $(CFLAGS) $(HAL_CFLAGS) -MMD -MP -c $< -o $@
+	$(Q)$(CC) $(HOST_FLAGS) $(PACKAGE_FLAGS) $(LIBRARY_FLAGS) $(OPT) -g $(CFLAGS) $(HAL_CFLAGS) -MMD -MP -c $< -o $@
 
 $(CORE_LIB): $(CORE_OBJ)
 $(HOST_LIB): $(filter-out %/main.o,$(HOST_OBJ))
@@ -178,15 +194,16 @@ tool: $(GLINT) $(VIEW)
 
 $(GLINT): $(BUILD)/obj/host-tools/glint/main.o $(HOST_LIB) $(CORE_LIB)
 $(VIEW): $(BUILD)/obj/host-tools/view/main.o $(HOST_LIB) $(CORE_LIB)
+$(VIEW): LIBRARIES = $(VIEW_LIBS)
 $(GLINT) $(VIEW):
 	$(call say,LINK,$@)
-	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ $(PACKAGE_LIBS) -lm -o $@
+	$(Q)$(CC) $(CFLAGS) $(LDFLAGS) $^ $(PACKAGE_LIBS) $(LIBRARIES) -lm -o $@
 
 $(BUILD)/tests/%: tests/%.c $(HOST_LIB) $(CORE_LIB)
 	$(call say,TEST,$<)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(HOST_FLAGS) $(PACKAGE_FLAGS) $(OPT) -g $(CFLAGS) $(LDFLAGS) -MMD -MP -MF $@.d $< \
-		$(HOST_LIB) $(CORE_LIB) $(PACKAGE_LIBS) $(CMOCKA_LIBS) -lpthread -lm -o $@
+		$(HOST_LIB) $(CORE_LIB) $(PACKAGE_LIBS) -Wl,--as-needed $(VIEW_LIBS) $(CMOCKA_LIBS) -lpthread -lm -o $@
 
 include tests/tools/arm.mk
 include tests/tools/boards.mk
@@ -199,5 +216,5 @@ include tests/tools/fuzz.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
-.PHONY: all tool demo test test-unit test-cli test-models test-core test-golden test-device test-rp2040 test-linux test-sanitize test-exhaustive \
-	bench bench-boards bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-test deps-linux image run flash install clean help
+.PHONY: all tool demo view test test-unit test-cli test-models test-core test-golden test-device test-rp2040 test-linux test-sanitize test-exhaustive \
+	bench bench-boards bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-view deps-test deps-linux image run flash install clean help

@@ -32,7 +32,7 @@ $(SCENE_DIR)/linux_list.c: tests/tools/scene_list.sh boards/linux/linux.mk
 	@mkdir -p $(@D)
 	$(Q)tests/tools/scene_list.sh $(LINUX_SCENES) >$@
 
-$(LINUX_DEBIAN)/complete:
+$(LINUX_DEBIAN)/complete: tests/device/linux/fetch.sh
 	$(Q)tests/device/linux/fetch.sh $(@D)
 
 # $(1) flavour, $(2) libgpiod

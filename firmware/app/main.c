@@ -34,7 +34,7 @@ static void main_count(struct main_state *state, int drawn)
     state->window_us = now;
 }
 
-static void main_tell(const struct app *app)
+static void main_tell(struct app *app)
 {
     struct text_line line = {.length = 0};
     report_picture(app, &line);
@@ -44,6 +44,8 @@ static void main_tell(const struct app *app)
     }
     machine_write(line.text);
     machine_write("\n");
+    if (app->board->log)
+        app->board->log(&app->remote.stream, line.text);
 }
 
 static int main_open(const struct board *board)
@@ -84,7 +86,9 @@ static unsigned main_hear(struct app *app)
 {
     uint8_t bytes[STREAM_HEADER];
     unsigned effect = 0;
-    for (uint32_t count; (count = serial_read(bytes, sizeof bytes)) != 0;)
+    struct hal_link *link = app->board->link;
+    for (uint32_t count;
+         (count = link ? link->ops->read(link, bytes, sizeof bytes) : serial_read(bytes, sizeof bytes)) != 0;)
         effect |= remote_hear(app, bytes, count);
     return effect;
 }
@@ -151,7 +155,11 @@ static int main_loop(struct main_state *state, const struct app_start *start)
 
 int app_run(const struct board *board, const struct app_start *start)
 {
-    struct main_state state = {.app = {.board = board, .control = start->control, .remote.stream.write = main_send}};
+    struct main_state state = {.app = {.board = board, .control = start->control}};
+    struct stream *stream = &state.app.remote.stream;
+    stream->write = board->link ? board->link->ops->write : main_send;
+    stream->context = board->link;
+    stream->last = board->last;
     if (main_open(board) != 0)
         return 3;
     crash_show(board);

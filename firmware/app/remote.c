@@ -15,9 +15,10 @@ static unsigned remote_do(struct app *app, const struct stream_request *request)
 {
     struct control *c = &app->control;
     uint32_t value = request->value;
+    app->remote.stream.heard = request->sequence;
     switch (request->type) {
     case STREAM_KEY_PLEASE:
-        app->remote.asked = 1;
+        app->remote.stream.key = 1;
         return CONTROL_DRAW;
     case STREAM_BUTTONS:
         app->remote.buttons = value;
@@ -71,17 +72,22 @@ void remote_begin(struct app *app)
                                        {glint_choices, (uint16_t)glint_choice_count, sizeof glint_choices[0]}};
     const struct stream_frame frame = {c->moment_ms, (uint8_t)c->scene, (uint8_t)c->method, c->budget,
                                        (uint8_t)!c->running};
-    app->remote.sending = app->remote.asked;
-    app->remote.asked = 0;
+    struct hal_link *link = board->link;
+    app->remote.sending = link ? link->ops->begin(link, &app->remote.skipped) : s->key;
     if (!app->remote.sending)
         return;
+    if (app->remote.sending == HAL_LINK_TAKES_FIRST) {
+        s->key = 1;
+        s->heard = 0;
+    }
     s->pixels = board->pack;
     s->width = board->width;
     s->height = board->height;
     s->buffer_bytes = ((uint32_t)board->width * s->pixels->bits + 7) / 8 * board->band_rows;
     s->time_us = clock_us();
     app->remote.pack_us = 0;
-    stream_hello(s, &names);
+    if (s->key)
+        stream_hello(s, &names);
     stream_frame_begin(s, &frame);
 }
 
@@ -102,7 +108,8 @@ void remote_end(struct app *app)
     struct stream_statistics statistics = {.draw_us = app->share.draw_us,
                                            .pack_us = app->remote.pack_us,
                                            .triangles = stats->triangles,
-                                           .dropped = stats->dropped};
+                                           .dropped = stats->dropped,
+                                           .skipped = app->remote.skipped};
     for (unsigned id = 0; id < GLINT_METHODS; id++)
         statistics.drawn += stats->drawn[id];
     if (app->remote.sending)

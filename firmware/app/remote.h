@@ -13,11 +13,12 @@
 
 /* The stream's write is set by who has the line; all else is zero at first. */
 struct remote {
-    struct stream stream;
-    struct stream_receiver receiver;
     uint32_t buttons, held_us; /* told to be held (enum hal_button), and for how long yet */
     uint32_t pack_us;          /* to pack and send the picture so far */
-    uint8_t asked, sending;    /* for a picture; the one under way goes out */
+    uint32_t skipped;          /* pictures that the link had no room for */
+    uint32_t sending;          /* the picture under way goes out */
+    struct stream stream;      /* its key: a picture is asked for */
+    struct stream_receiver receiver;
 };
 
 struct app;

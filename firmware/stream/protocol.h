@@ -21,7 +21,7 @@ enum stream_at {
     STREAM_AT_TYPE = 5,
     STREAM_AT_SEQUENCE = 6,
     STREAM_AT_TIME = 8,
-    STREAM_AT_X = 12, /* host to device: the value, 32 bits */
+    STREAM_AT_X = 12, /* frame begin: the last request's sequence; host to device: the value, 32 bits */
     STREAM_AT_Y = 14,
     STREAM_AT_WIDTH = 16,
     STREAM_AT_HEIGHT = 18,

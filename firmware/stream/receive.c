@@ -34,6 +34,7 @@ int stream_receive(struct stream_receiver *r, uint8_t byte, struct stream_reques
         return 0;
     r->count = 0;
     request->type = r->bytes[STREAM_AT_TYPE];
+    request->sequence = (uint16_t)(r->bytes[STREAM_AT_SEQUENCE] | r->bytes[STREAM_AT_SEQUENCE + 1] << 8);
     request->value = receive_get32(r->bytes + STREAM_AT_X);
     return r->bytes[STREAM_AT_VERSION] == STREAM_VERSION && request->type >= STREAM_KEY_PLEASE;
 }

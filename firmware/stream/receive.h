@@ -13,6 +13,7 @@ struct stream_receiver {
 
 struct stream_request {
     uint8_t type; /* STREAM_KEY_PLEASE ... STREAM_PAUSE, or one that a later host knows */
+    uint16_t sequence;
     uint32_t value;
 };
 

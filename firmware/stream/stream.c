@@ -41,6 +41,7 @@ static void stream_head(struct stream *s, enum stream_type type, uint16_t y, uin
     stream_put16(head + STREAM_AT_SEQUENCE, s->sequence);
     s->sequence = (uint16_t)((s->sequence + 1) & 0xFFFF);
     stream_put32(head + STREAM_AT_TIME, s->time_us);
+    stream_put16(head + STREAM_AT_X, type == STREAM_BEGIN ? s->heard : 0);
     stream_put16(head + STREAM_AT_Y, y);
     stream_put16(head + STREAM_AT_WIDTH, s->width);
     stream_put16(head + STREAM_AT_HEIGHT, rows);

@@ -39,6 +39,7 @@ struct stream {
     uint8_t *last; /* null, or room for a picture, aligned as its pixels: then only what changes is sent */
     /* at any time */
     uint32_t time_us; /* the device's time, for the messages to come */
+    uint16_t heard;   /* sequence of the last request from the other end; 0: none yet */
     uint8_t key;      /* 1: the next frame is to be a key frame, as after an error; 0 again when it has begun */
 
     /* its own, zero at first */

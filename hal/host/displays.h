@@ -14,11 +14,20 @@
 #include "display.h"
 #include "host/sink.h"
 
+/* As many pictures as come, at least one: an animated PNG in a file, not in a pipe, since the number stands in front.
+ */
+#define HOST_FRAMES_ANY UINT32_MAX
+
 struct host_display {
     struct hal_display display;
     const char *path; /* "-": standard output (not for folder_display). Stays the caller's */
     uint32_t frames;  /* png_display: how many pictures will come; above 1 the file is an animated PNG */
     uint32_t rate;    /* y4m_display: pictures a second */
+    /* animated PNG: what the next picture replaces of the one before, set before frame_begin(); flush() is then given
+     * that alone. The first is whole; 0 wide is whole too. */
+    struct host_part {
+        uint16_t x, y, width, height;
+    } part;
 
     /* the display's own */
     struct sink sink;

@@ -6,17 +6,20 @@
  */
 #include "host/displays.h"
 
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 #include <zlib.h>
 
-#define PNG_CHUNK   32768u /* bytes of compressed data a chunk */
-#define PNG_FILTERS 5u
+#define PNG_CHUNK    32768u /* bytes of compressed data a chunk */
+#define PNG_FILTERS  5u
+#define PNG_COUNT_AT (8 + 12 + 13) /* behind the signature and IHDR */
 
 struct png_coder {
     z_stream stream;
     uint32_t sequence;            /* of the next fcTL or fdAT */
-    size_t row_bytes;             /* of a row of samples */
+    struct host_part part;        /* under way */
+    size_t row_bytes;             /* of a row of its samples */
     uint8_t *above;               /* the row before */
     uint8_t *line[2];             /* filter type and filtered row: the best so far and the one being tried */
     uint8_t chunk[PNG_CHUNK + 4]; /* room for fdAT's sequence number in front */
@@ -41,22 +44,39 @@ static int png_write_chunk(struct host_display *host, const char *type, const ui
     return result ? result : sink_write(&host->sink, tail, 4);
 }
 
-/* What comes before the first picture. */
+static int png_write_count(struct host_display *host, uint32_t count)
+{
+    uint8_t animation[8] = {0};
+    png_put32(animation, count); /* repeated 0 times: for ever */
+    return png_write_chunk(host, "acTL", animation, sizeof animation);
+}
+
+/* What comes before the first picture: PNG_COUNT_AT bytes, then the number of pictures. */
 static int png_write_head(struct host_display *host)
 {
     static const uint8_t signature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-    uint8_t header[13] = {0}, animation[8] = {0};
+    uint8_t header[13] = {0};
     png_put32(header, host->width);
     png_put32(header + 4, host->height);
     header[8] = 8;                                               /* bits a sample */
     header[9] = host_display_samples(host->format) == 3 ? 2 : 0; /* truecolour or grey */
-    png_put32(animation, host->frames);                          /* repeated 0 times: for ever */
     int result = sink_write(&host->sink, signature, sizeof signature);
     if (!result)
         result = png_write_chunk(host, "IHDR", header, sizeof header);
     if (!result && host->frames > 1)
-        result = png_write_chunk(host, "acTL", animation, sizeof animation);
+        result = png_write_count(host, host->frames);
     return result;
+}
+
+/* Where the number of pictures was not known before, it is now. */
+static int png_write_end(struct host_display *host)
+{
+    int result = png_write_chunk(host, "IEND", NULL, 0);
+    if (result || host->frames != HOST_FRAMES_ANY)
+        return result;
+    if (fseeko(host->sink.stream, PNG_COUNT_AT, SEEK_SET) != 0)
+        return HAL_E_IO;
+    return png_write_count(host, host->count);
 }
 
 static int png_close(struct hal_display *display, int keep)
@@ -65,10 +85,10 @@ static int png_close(struct hal_display *display, int keep)
     struct png_coder *coder = host->coder;
     int result = 0;
     /* a reader takes the count in acTL at its word */
-    if (keep && host->count != host->frames)
+    if (keep && (host->frames == HOST_FRAMES_ANY ? host->count == 0 : host->count != host->frames))
         result = HAL_E_ARGUMENT;
     else if (keep)
-        result = png_write_chunk(host, "IEND", NULL, 0);
+        result = png_write_end(host);
     if (coder) {
         deflateEnd(&coder->stream);
         free(coder->above);
@@ -93,7 +113,6 @@ static int png_open(struct hal_display *display, uint16_t width, uint16_t height
     struct png_coder *coder = host->coder = calloc(1, sizeof *coder);
     result = HAL_E_FULL;
     if (coder) {
-        coder->row_bytes = bytes;
         coder->above = malloc(bytes);
         coder->line[0] = malloc(bytes + 1);
         coder->line[1] = malloc(bytes + 1);
@@ -101,6 +120,8 @@ static int png_open(struct hal_display *display, uint16_t width, uint16_t height
             deflateInit2(&coder->stream, 6, Z_DEFLATED, 15, 9, Z_FILTERED) == Z_OK)
             result = sink_open(&host->sink, host->path);
     }
+    if (!result && host->frames == HOST_FRAMES_ANY && fseeko(host->sink.stream, 0, SEEK_CUR) != 0)
+        result = HAL_E_IO;
     if (!result)
         result = png_write_head(host);
     if (result)
@@ -129,13 +150,26 @@ static int png_chunk_end(struct host_display *host)
     return result;
 }
 
+/* False if it is not within the picture, or the first that is not all of it. */
+static bool png_set_part(struct host_display *host)
+{
+    const struct host_part all = {0, 0, host->width, host->height};
+    const struct host_part *p = host->part.width ? &host->part : &all;
+    if (p->x + p->width > host->width || p->y + p->height > host->height || p->height == 0 ||
+        (host->count == 0 && (p->width != host->width || p->height != host->height)))
+        return false;
+    host->coder->part = *p;
+    host->coder->row_bytes = (size_t)host_display_samples(host->format) * p->width;
+    return true;
+}
+
 static int png_frame_begin(struct hal_display *display, uint32_t index, uint32_t delay_ms)
 {
     struct host_display *host = (struct host_display *)display;
     struct png_coder *coder = host->coder;
-    uint8_t control[26] = {0}; /* at (0, 0), replacing all */
+    uint8_t control[26] = {0}; /* stays for the next to replace a part of, which it does, opaque or not */
     (void)index;
-    if (host->count == host->frames)
+    if (host->count == host->frames || !png_set_part(host))
         return HAL_E_ARGUMENT;
     deflateReset(&coder->stream);
     png_chunk_begin(coder);
@@ -143,8 +177,10 @@ static int png_frame_begin(struct hal_display *display, uint32_t index, uint32_t
     if (host->frames == 1)
         return 0;
     png_put32(control, coder->sequence++);
-    png_put32(control + 4, host->width);
-    png_put32(control + 8, host->height);
+    png_put32(control + 4, coder->part.width);
+    png_put32(control + 8, coder->part.height);
+    png_put32(control + 12, coder->part.x);
+    png_put32(control + 16, coder->part.y);
     /* shown for delay / 1000 s, both in 16 bits */
     png_put32(control + 20, (delay_ms < 65535 ? delay_ms : 65535) << 16 | 1000);
     return png_write_chunk(host, "fcTL", control, sizeof control);
@@ -229,7 +265,8 @@ static int png_flush(struct hal_display *display, const void *pixels, uint16_t y
     int result = 0;
     (void)y;
     for (uint16_t row = 0; row < rows && !result; row++) {
-        host_display_widen(host->format, (const uint8_t *)pixels + (size_t)row * stride, host->width, host->pixels);
+        host_display_widen(host->format, (const uint8_t *)pixels + (size_t)row * stride, host->coder->part.width,
+                           host->pixels);
         result = png_row(host);
     }
     return result;

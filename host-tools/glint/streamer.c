@@ -69,7 +69,7 @@ int streamer_begin(struct streamer *s, const struct renderer *renderer, uint32_t
                                        .method = (uint8_t)(renderer->choice - glint_choices),
                                        .budget = renderer->config.subdivide_tolerance};
     s->pack_ms = 0;
-    s->stream.time_us = (uint32_t)((uint64_t)(cli_clock() * 1e3) & UINT32_MAX);
+    s->stream.time_us = (uint32_t)((uint64_t)moment_ms * 1000 & UINT32_MAX);
     s->stream.key = s->key_every && index % s->key_every == 0;
     return streamer_step(s, stream_frame_begin(&s->stream, &frame));
 }

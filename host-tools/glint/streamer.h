@@ -21,6 +21,7 @@ struct streamer {
 
 /* Exit codes, with a message. From opening on signals are caught (cli.h). `scene` names the one scene of hello. */
 int streamer_open(struct streamer *streamer, const struct renderer *renderer, const char *scene);
+/* The stream's clock is the animation's: it is shown and recorded as fast as that runs, however fast it was drawn. */
 int streamer_begin(struct streamer *streamer, const struct renderer *renderer, uint32_t index, uint32_t moment_ms);
 int streamer_end(struct streamer *streamer, const struct renderer *renderer, double draw_ms);
 

@@ -51,6 +51,7 @@ static void frames_begin(struct frames *f, const struct parser_message *m)
                                          .number = parser_get32(m->payload),
                                          .moment_ms = parser_get32(m->payload + 4),
                                          .time_us = m->time_us,
+                                         .echo = m->x,
                                          .key = key,
                                          .paused = m->payload[8] & STREAM_PAUSED,
                                          .scene = m->payload[9],
@@ -173,6 +174,13 @@ void frames_finish(struct frames *f)
     parser_finish(&f->parser);
     if (f->begun)
         frames_lose(f);
+}
+
+void frames_restart(struct frames *f)
+{
+    frames_finish(f);
+    f->followed = f->chained = false;
+    f->want_key = true;
 }
 
 void frames_close(struct frames *f)

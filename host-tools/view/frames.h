@@ -13,6 +13,7 @@ struct frames_picture {
     uint16_t width, height;
     enum stream_format format;
     uint32_t number, moment_ms, time_us; /* the device's, of its beginning */
+    uint16_t echo;                       /* the sequence of the last request that the device had heard; 0: none */
     bool key, paused;
     uint8_t scene, method, budget;
     uint32_t bytes;                                                /* that it took, headers and all */
@@ -45,6 +46,10 @@ struct frames {
 void frames_open(struct frames *frames, const struct frames_events *events);
 void frames_push(struct frames *frames, const void *bytes, size_t size);
 void frames_finish(struct frames *frames); /* nothing will follow */
+
+/* Another sender, or the same from its beginning on: what is under way is lost, and a key frame wanted. */
+void frames_restart(struct frames *frames);
+
 void frames_close(struct frames *frames);
 
 #endif

@@ -95,6 +95,7 @@ static size_t parser_look(struct parser *p, const uint8_t *at, size_t count)
         p->spare -= message.length;
         return 1;
     }
+    p->messages++;
     p->take(p->context, &message);
     return p->need;
 }

@@ -29,6 +29,7 @@ typedef void parser_take(void *context, const struct parser_message *message);
 struct parser {
     parser_take *take; /* set by the caller; all else is zero at first */
     void *context;
+    uint32_t messages;      /* good ones */
     uint32_t damaged;       /* messages with a good header and a bad payload */
     uint32_t other_version; /* headers of another version */
     bool out_of_memory;     /* nothing is taken any more */

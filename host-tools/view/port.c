@@ -5,6 +5,16 @@
 
 #include "glint/cli.h"
 #include "scene/scene.h"
+#ifdef HAVE_LIBUSB
+#include "view/usb.h"
+#include "view/usb_find.h"
+#else
+static int port_no_usb(void)
+{
+    fprintf(stderr, "usb: this glint-view was built without libusb-1.0\n");
+    return CLI_IO;
+}
+#endif
 
 #include <errno.h>
 #include <fcntl.h>
@@ -36,37 +46,7 @@ static int port_set_line(struct port *port)
     return tcsetattr(port->file, TCSANOW, &line);
 }
 
-int port_open(struct port *port, const char *input)
-{
-    struct stat there;
-    *port = (struct port){.name = input};
-    if (strcmp(input, "-") == 0) {
-        port->name = "standard input";
-        port->file = STDIN_FILENO;
-        return CLI_DONE;
-    }
-    bool plain = strncmp(input, "file:", 5) == 0;
-    port->name = plain ? input + 5 : input;
-    port->file = open(port->name, plain ? O_RDONLY : O_RDWR | O_NOCTTY | O_NONBLOCK);
-    if (port->file < 0 || fstat(port->file, &there) != 0) {
-        int code = port_problem(port, errno);
-        port_close(port);
-        return code;
-    }
-    port->asks = !plain;
-    if (plain && S_ISDIR(there.st_mode))
-        errno = EISDIR;
-    else if (plain || (isatty(port->file) && port_set_line(port) == 0))
-        return CLI_DONE;
-    if (!plain && errno == ENOTTY)
-        fprintf(stderr, "%s: is no serial line; a recording is given as file:%s\n", input, input);
-    else
-        port_problem(port, errno);
-    port_close(port);
-    return CLI_IO;
-}
-
-long port_read(struct port *port, void *bytes, size_t size, int wait_ms)
+static long port_file_read(struct port *port, void *bytes, size_t size, int wait_ms)
 {
     struct pollfd there = {.fd = port->file, .events = POLLIN};
     int ready = poll(&there, 1, wait_ms);
@@ -81,6 +61,87 @@ long port_read(struct port *port, void *bytes, size_t size, int wait_ms)
         return 0;
     port_problem(port, errno);
     return PORT_FAILED;
+}
+
+static int port_file_send(struct port *port, const uint8_t message[STREAM_HEADER])
+{
+    size_t sent = 0;
+    for (int tries = 0; sent < STREAM_HEADER && tries < 100 && !cli_interrupted();) {
+        struct pollfd there = {.fd = port->file, .events = POLLOUT};
+        ssize_t count = poll(&there, 1, 20) > 0 ? write(port->file, message + sent, STREAM_HEADER - sent) : 0;
+        if (count < 0 && errno != EAGAIN && errno != EINTR)
+            return port_problem(port, errno);
+        if (count > 0)
+            sent += (size_t)count;
+        else
+            tries++;
+    }
+    return sent == STREAM_HEADER ? CLI_DONE : port_problem(port, ETIMEDOUT);
+}
+
+static void port_file_missing(struct port *port)
+{
+    fprintf(stderr, "%s: no answer\n", port->name);
+}
+
+static void port_file_close(struct port *port)
+{
+    if (port->file > STDIN_FILENO)
+        close(port->file);
+    port->file = -1;
+}
+
+static int port_file_open(struct port *port, const char *input)
+{
+    static const struct port_ops ops = {port_file_read, port_file_send, port_file_missing, port_file_close};
+    struct stat there;
+    *port = (struct port){.name = input, .ops = &ops, .there = true};
+    if (strcmp(input, "-") == 0) {
+        port->name = "standard input";
+        port->file = STDIN_FILENO;
+        return CLI_DONE;
+    }
+    bool plain = strncmp(input, "file:", 5) == 0;
+    port->name = plain ? input + 5 : input;
+    port->file = open(port->name, plain ? O_RDONLY : O_RDWR | O_NOCTTY | O_NONBLOCK);
+    if (port->file < 0 || fstat(port->file, &there) != 0) {
+        int code = port_problem(port, errno);
+        port_close(port);
+        return code;
+    }
+    port->asks = port->polls = !plain;
+    if (plain && S_ISDIR(there.st_mode))
+        errno = EISDIR;
+    else if (plain || (isatty(port->file) && port_set_line(port) == 0))
+        return CLI_DONE;
+    if (!plain && errno == ENOTTY)
+        fprintf(stderr, "%s: is no serial line; a recording is given as file:%s\n", input, input);
+    else
+        port_problem(port, errno);
+    port_close(port);
+    return CLI_IO;
+}
+
+int port_open(struct port *port, const char *input, const char *serial)
+{
+    static const char usb[] = "usb:";
+    if (strncmp(input, usb, sizeof usb - 1) != 0)
+        return port_file_open(port, input);
+#ifdef HAVE_LIBUSB
+    return usb_open(port, input[sizeof usb - 1] ? input + sizeof usb - 1 : serial);
+#else
+    (void)serial;
+    return port_no_usb();
+#endif
+}
+
+int port_list(void)
+{
+#ifdef HAVE_LIBUSB
+    return usb_find_list();
+#else
+    return port_no_usb();
+#endif
 }
 
 static void port_put32(uint8_t *at, uint32_t value)
@@ -101,29 +162,27 @@ void port_message(uint8_t message[STREAM_HEADER], enum stream_type type, uint32_
     port_put32(message + STREAM_AT_CRC, scene_crc32(0, message, STREAM_AT_CRC));
 }
 
+long port_read(struct port *port, void *bytes, size_t size, int wait_ms)
+{
+    return port->ops->read(port, bytes, size, wait_ms);
+}
+
 int port_ask(struct port *port, enum stream_type type, uint32_t value)
 {
     uint8_t message[STREAM_HEADER];
-    size_t sent = 0;
-    if (!port->asks)
+    if (!port->asks || !port->there)
         return CLI_DONE;
-    port_message(message, type, value, port->sequence++);
-    for (int tries = 0; sent < sizeof message && tries < 100 && !cli_interrupted();) {
-        struct pollfd there = {.fd = port->file, .events = POLLOUT};
-        ssize_t count = poll(&there, 1, 20) > 0 ? write(port->file, message + sent, sizeof message - sent) : 0;
-        if (count < 0 && errno != EAGAIN && errno != EINTR)
-            return port_problem(port, errno);
-        if (count > 0)
-            sent += (size_t)count;
-        else
-            tries++;
-    }
-    return sent == sizeof message ? CLI_DONE : port_problem(port, ETIMEDOUT);
+    port->sequence = (uint16_t)(port->sequence == UINT16_MAX ? 1 : port->sequence + 1);
+    port_message(message, type, value, port->sequence);
+    return port->ops->send(port, message);
+}
+
+void port_missing(struct port *port)
+{
+    port->ops->missing(port);
 }
 
 void port_close(struct port *port)
 {
-    if (port->file > STDIN_FILENO)
-        close(port->file);
-    port->file = -1;
+    port->ops->close(port);
 }

@@ -35,7 +35,7 @@ P
     then say ok 'and by a decoder made from the protocol alone'; else say FAIL 'and by a decoder made from the protocol alone'; fi
 done
 run 'one loop is the default' 0 "$glint" render "$demo" --size 8x8 --fps 5 --stream loop.stream
-run 'of 4 s at 5 frames a second' 0 "$view" file:loop.stream --list
+run 'of 4 s at 5 frames a second' 0 "$view" file:loop.stream --trace
 matches 'that are listed' "$top/out" '^19: 8x8 rgb888, moment 3800 ms, [0-9]+ bytes'
 matches 'and counted' "$top/out" '^20 pictures, [0-9]+ bytes each, 0 lost$'
 run 'names are printed' 0 "$view" file:loop.stream --names --frames 1
@@ -49,7 +49,7 @@ size=$(stat -c %s good.stream)
 run 'text before a stream is passed over' 0 "$view" file:text.stream --dump text
 folders 'and no picture is missing' text want 6
 { head -c $((size / 3)) good.stream; printf x; tail -c +$((size / 3 + 2)) good.stream; } >damaged.stream
-run 'a damaged picture is left out' 0 "$view" file:damaged.stream --dump damaged --list
+run 'a damaged picture is left out' 0 "$view" file:damaged.stream --dump damaged --trace
 if grep -qE '^[1-4] pictures?, .* [1-9][0-9]* lost$' "$top/out" && cmp -s damaged/frame-0000.png want/frame-0000.png
 then say ok 'and counted'; else say FAIL 'and counted' "$(tail -n 1 "$top/out")"; fi
 last=$(find damaged -name 'frame-*.png' | sort | tail -n 1)

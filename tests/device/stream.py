@@ -29,7 +29,8 @@ def picture(pixels, width, height, sequence, number=0, scene=0, method=0, budget
 
 
 def messages(data):
-    """(header, payload) of every whole message: type, sequence, time, x, y, width, height, format, codec."""
+    """(header, payload) of every whole message: type, sequence, time, x, y, width, height, format, codec; x of a BEGIN is
+    the sequence of the last request that the device heard."""
     at = 0
     while (at := data.find(MAGIC, at)) >= 0 and at + 32 <= len(data):
         length, check = struct.unpack_from("<II", data, at + 24)

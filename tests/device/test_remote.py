@@ -86,7 +86,7 @@ def ask(line, *options):
 
 def compare(line, folder, scene, method, budget):
     """A picture that glint-view asks for against the host's."""
-    code, out, err = ask(line, "--list", "--dump", folder, "--frames", "1", "--scene", scene, "--method", method,
+    code, out, err = ask(line, "--trace", "--dump", folder, "--frames", "1", "--scene", scene, "--method", method,
                          "--budget", str(budget), "--pause")
     if code != 0:
         return f"exit code {code}: {err}"
@@ -167,7 +167,7 @@ def by_view(oled, folder):
                     compare(line, folder, scene, method, budget))
         code, out, err = ask(line, "--scene", "nowhere", "--frames", "1")
         verdict("a scene that it has not is named", None if code == 2 and err.count("\n") == 1 and "nowhere" in err else err)
-        code, out, err = ask(line, "--run", "--list", "--frames", "4")
+        code, out, err = ask(line, "--run", "--trace", "--frames", "4")
         moments = [int(text.split("moment ")[1].split(" ")[0]) for text in out.splitlines() if "moment" in text]
         verdict(f"it goes on when told to: {moments}",
                 None if code == 0 and len(moments) == 4 and len(set(moments)) == 4 and moments == sorted(moments) else err)

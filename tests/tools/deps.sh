@@ -1,11 +1,12 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# Finds which Debian packages a target lacks, says so and installs them. `deps.sh demo|test|linux`; DEPS=manual only prints
+# Finds which Debian packages a target lacks, says so and installs them. `deps.sh demo|view|test|linux`; DEPS=manual only prints
 # the command and fails if something is missing.
 set -u
 
 demo="gcc pkg-config libc6-dev libpng-dev libjansson-dev libassimp-dev zlib1g-dev"
-test="$demo libcmocka-dev clang clang-runtime clang-format clang-tidy cppcheck valgrind python3 gcc-arm-none-eabi qemu-system-arm
+view="$demo libusb-1.0-0-dev libsdl2-dev"
+test="$view xvfb xdotool libcmocka-dev clang clang-runtime clang-format clang-tidy cppcheck valgrind python3 gcc-arm-none-eabi qemu-system-arm
       gnuplot-nox assimp-testmodels nodejs npm gcc-arm-linux-gnueabihf libc6-dev-armhf-cross device-tree-compiler cpio"
 # A Linux board's program is built on the board itself, or crosswise.
 linux="$demo $(case $(uname -m) in arm* | aarch64) echo libgpiod-dev ;; *) echo gcc-arm-linux-gnueabihf libc6-dev-armhf-cross ;; esac)"
@@ -22,6 +23,9 @@ have() {
     gnuplot-nox) command -v gnuplot ;;
     libpng-dev) pkg-config --exists libpng ;;
     libjansson-dev) pkg-config --exists jansson ;;
+    libusb-1.0-0-dev) pkg-config --exists libusb-1.0 ;;
+    libsdl2-dev) pkg-config --exists sdl2 ;;
+    xvfb) command -v Xvfb ;;
     libassimp-dev) pkg-config --exists assimp ;;
     libcmocka-dev) pkg-config --exists cmocka ;;
     zlib1g-dev) pkg-config --exists zlib ;;
@@ -47,10 +51,11 @@ missing_of() {
 
 case ${1-} in
 demo) wanted=$demo ;;
+view) wanted=$view ;;
 test) wanted=$test ;;
 linux) wanted=$linux ;;
 *)
-    echo "usage: deps.sh demo|test|linux" >&2
+    echo "usage: deps.sh demo|view|test|linux" >&2
     exit 2
     ;;
 esac

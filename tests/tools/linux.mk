@@ -5,12 +5,28 @@ GUEST_DIR := $(BUILD)/armhf/guest-
 GUEST_KERNEL := $(LINUX_DEBIAN)/kernel
 GUEST_BOARD := boards/linux-virt/board.conf
 
+# glint-view of the guest, without a window.
+GUEST_VIEW := $(BUILD)/armhf/glint-view
+GUEST_VIEW_OBJ := $(patsubst %.c,$(BUILD)/armhf/%.o,$(wildcard host-tools/view/*.c hal/host/*.c) host-tools/glint/cli.c $(CORE_SRC))
+GUEST_TOOLS := $(BUILD)/armhf/bogus $(BUILD)/armhf/cable
+GUEST_VIEW_HAS := $(LINUX_DEBIAN)/view/usr
+GUEST_LINK = -L$(GUEST_VIEW_HAS)/lib/arm-linux-gnueabihf -L$(LINUX_DEBIAN)/view/lib/arm-linux-gnueabihf \
+	-Wl,-rpath-link,$(GUEST_VIEW_HAS)/lib/arm-linux-gnueabihf:$(LINUX_DEBIAN)/view/lib/arm-linux-gnueabihf
+$(filter $(BUILD)/armhf/host-tools/% $(BUILD)/armhf/hal/host/%,$(GUEST_VIEW_OBJ)) $(BUILD)/armhf/tests/device/linux/bogus.o: LINUX_FLAGS += -DHAVE_LIBUSB -isystem $(GUEST_VIEW_HAS)/include \
+	-isystem $(GUEST_VIEW_HAS)/include/libusb-1.0
+$(GUEST_VIEW_OBJ) $(BUILD)/armhf/tests/device/linux/bogus.o: | $(LINUX_DEBIAN)/complete
+$(GUEST_VIEW): $(GUEST_VIEW_OBJ)
+$(GUEST_TOOLS): $(BUILD)/armhf/%: $(BUILD)/armhf/tests/device/linux/%.o $(filter-out %/main.o,$(GUEST_VIEW_OBJ))
+$(GUEST_VIEW) $(GUEST_TOOLS):
+	$(call say,LINK,$@)
+	$(Q)$(LINUX_CC_armhf) $(LDFLAGS) -Wl,--gc-sections $^ $(GUEST_LINK) -l:libpng16.so.16 -l:libz.so.1 -l:libusb-1.0.so.0 -lpthread -lm -o $@
+
 define guest_rule
-$(GUEST_DIR)$(1)/initrd.gz: $(BUILD)/armhf/glint-device-$(1) $(LINUX_DEBIAN)/complete $(GUEST_BOARD) tests/device/linux/guest.sh \
-		tests/device/linux/handheld.dtsi
+$(GUEST_DIR)$(1)/initrd.gz: $(BUILD)/armhf/glint-device-$(1) $(GUEST_VIEW) $(GUEST_TOOLS) $(LINUX_DEBIAN)/complete $(GUEST_BOARD) \
+		tests/device/linux/guest.sh tests/device/linux/handheld.dtsi
 	$$(call say,GUEST,$$(@D))
 	@mkdir -p $$(@D)
-	$$(Q)tests/device/linux/guest.sh $(LINUX_DEBIAN) $(1) $$(@D) $$< $(GUEST_BOARD)
+	$$(Q)tests/device/linux/guest.sh $(LINUX_DEBIAN) $(1) $$(@D) $(GUEST_BOARD) $$(filter $(BUILD)/armhf/glint-% $(GUEST_TOOLS),$$^)
 endef
 $(foreach v,$(GUESTS),$(eval $(call guest_rule,$(v))))
 

@@ -136,7 +136,7 @@ lint-run:
 		--suppress=missingIncludeSystem \
 		--suppress=shiftNegativeLHS --suppress=shiftTooManyBitsSigned $(INCLUDE) $(CORE_SRC) $(HOST_SRC) $(wildcard hal/*/*.c) || status=1; \
 	clang-tidy --quiet --warnings-as-errors='*' $(CORE_SRC) $(HOST_SRC) -- -std=c11 -D_XOPEN_SOURCE=700 $(INCLUDE) \
-		$(PACKAGE_FLAGS) || status=1; exit $$status
+		$(PACKAGE_FLAGS) $(VIEW_FLAGS) || status=1; exit $$status
 
 .PHONY: suite-unit suite-exhaustive suite-cli suite-models suite-core suite-golden suite-device suite-docs suite-sanitize \
 	suite-sanitized suite-bench bench-table bench-setup-table bench-stream-table report-page profile-run size-table stack-table golden-update lint-run \

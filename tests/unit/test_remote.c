@@ -87,8 +87,16 @@ static int end(void **state)
 static unsigned ask(enum stream_type type, uint32_t value)
 {
     uint8_t message[STREAM_HEADER];
-    port_message(message, type, value, 0);
+    port_message(message, type, value, 0x1234);
     return remote_hear(&app, message, sizeof message);
+}
+
+static size_t names_bytes(void)
+{
+    size_t bytes = 0;
+    for (unsigned i = 0; i < glint_choice_count; i++)
+        bytes += strlen(glint_choices[i].name) + 1;
+    return bytes;
 }
 
 static void requests_do_what_the_menu_does(void **state)
@@ -133,6 +141,17 @@ static void buttons_are_released_by_word_or_after_a_second(void **state)
     ask(STREAM_BUTTONS, HAL_UP);
     ask(STREAM_BUTTONS, 0);
     assert_int_equal(remote_buttons(&app.remote, 1), 0);
+}
+
+static void a_picture_echoes_the_last_request(void **state)
+{
+    const size_t hello = STREAM_HEADER + 6 + 5 + 6 + 1 + names_bytes() + STREAM_CHECK;
+    (void)state;
+    ask(STREAM_KEY_PLEASE, 0);
+    assert_int_equal(show_frame(&app), 0);
+    assert_int_equal(line.bytes[hello + STREAM_AT_TYPE], STREAM_BEGIN);
+    assert_int_equal(line.bytes[hello + STREAM_AT_X], 0x34);
+    assert_int_equal(line.bytes[hello + STREAM_AT_X + 1], 0x12);
 }
 
 static void nothing_is_sent_unasked(void **state)
@@ -197,6 +216,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(requests_do_what_the_menu_does, begin, end),
         cmocka_unit_test_setup_teardown(what_there_is_not_cannot_be_asked_for, begin, end),
         cmocka_unit_test_setup_teardown(buttons_are_released_by_word_or_after_a_second, begin, end),
+        cmocka_unit_test_setup_teardown(a_picture_echoes_the_last_request, begin, end),
         cmocka_unit_test_setup_teardown(nothing_is_sent_unasked, begin, end),
         cmocka_unit_test_setup_teardown(the_picture_sent_is_the_renderers, begin, end),
         cmocka_unit_test_setup_teardown(a_problem_is_sent_too, begin, end),

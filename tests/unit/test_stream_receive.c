@@ -12,9 +12,10 @@
 
 #include "random.h"
 
-static const struct stream_request requests[] = {{STREAM_KEY_PLEASE, 0}, {STREAM_BUTTONS, 0xF6}, {STREAM_METHOD, 19},
-                                                 {STREAM_BUDGET, 255},   {STREAM_SCENE, 3},      {STREAM_PAUSE, 1},
-                                                 {0xC3, 0x534C47F6}};
+static const struct stream_request requests[] = {
+    {STREAM_KEY_PLEASE, 65535, 0}, {STREAM_BUTTONS, 1, 0xF6}, {STREAM_METHOD, 2, 19}, {STREAM_BUDGET, 3, 255},
+    {STREAM_SCENE, 4, 3},          {STREAM_PAUSE, 0x1234, 1}, {0xC3, 0, 0x534C47F6},
+};
 enum { COUNT = sizeof requests / sizeof *requests };
 
 /* Pushes bytes: how many requests come, the last in `request`. */
@@ -33,11 +34,12 @@ static void every_request_is_heard_once(void **state)
     uint8_t message[STREAM_HEADER];
     (void)state;
     for (unsigned i = 0; i < COUNT; i++) {
-        port_message(message, requests[i].type, requests[i].value, (uint16_t)(65535 + i));
+        port_message(message, requests[i].type, requests[i].value, requests[i].sequence);
         assert_int_equal(push(&r, message, STREAM_HEADER - 1, &heard), 0);
         assert_int_equal(push(&r, message + STREAM_HEADER - 1, 1, &heard), 1);
         assert_int_equal(heard.type, requests[i].type);
         assert_int_equal(heard.value, requests[i].value);
+        assert_int_equal(heard.sequence, requests[i].sequence);
     }
 }
 

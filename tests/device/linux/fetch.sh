@@ -2,13 +2,22 @@
 # SPDX-License-Identifier: MIT
 # fetch.sh FOLDER: what an armhf Linux needs, from Debian, unpacked into FOLDER and not installed:
 #     v1/ v2/           libgpiod 1.6 and 2.x: header, library, pkg-config file
+#     view/             what glint-view links: libpng, zlib, libusb and its libudev; headers, libraries
 #     kernel busybox    Debian's armmp kernel and a static shell
+#     modules/          of that kernel: a USB host and a device joined without wires
 # apt works with a configuration of its own: the machine's package lists, architectures and cache stay as they are; only
-# the address of its Debian mirror is read. What is there is not fetched again; DEPS=manual fetches nothing.
+# the address of its Debian mirror is read. What is there is not fetched again, but all of it if a folder of before lacks
+# something; DEPS=manual fetches nothing.
 set -u
 [ $# = 1 ] || { echo "usage: fetch.sh FOLDER" >&2; exit 2; }
 mkdir -p "$1" && folder=$(cd "$1" && pwd) || exit 3
-[ -e "$folder/complete" ] && exit 0
+view="libpng16-16 libpng-dev zlib1g zlib1g-dev libusb-1.0-0 libusb-1.0-0-dev libudev1"
+modules="configfs udc-core usbcore dummy_hcd libcomposite usb_f_fs"
+contents="v1 v2 kernel busybox $view $modules"
+if [ -e "$folder/complete" ] && [ "$(cat "$folder/complete")" = "$contents" ]; then
+    touch "$folder/complete"
+    exit 0
+fi
 
 give_up() {
     echo "fetch.sh: $1; an emulated Linux handheld needs Debian's armhf kernel and libgpiod in $folder" >&2
@@ -42,13 +51,15 @@ APT::Sandbox::User "root";
 CONF
 export APT_CONFIG=$apt/apt.conf
 
-echo "fetching Debian's armhf kernel, busybox and libgpiod 1.6 and 2 (48 MB) into $folder; nothing is installed" >&2
+echo "fetching Debian's armhf kernel, busybox, libgpiod 1.6 and 2, libusb and libpng (49 MB) into $folder; nothing is installed" >&2
 apt-get -qq -oAPT::Update::Error-Mode=any update >&2 || give_up "apt could not read the mirror's armhf lists"
 # The metapackage names the kernel of today.
 kernel=$(apt-cache depends linux-image-armmp/bookworm | awk '$1 == "Depends:" && $2 ~ /^linux-image/ { print $2; exit }')
 [ -n "$kernel" ] || give_up "the mirror has no armhf kernel"
+# shellcheck disable=SC2086
 (cd "$apt/packages" && rm -f ./*.deb && apt-get -qq download "$kernel" busybox-static/bookworm libgpiod2/bookworm \
-    libgpiod-dev/bookworm libgpiod3/bookworm-backports libgpiod-dev/bookworm-backports >&2) || give_up "apt could not download"
+    libgpiod-dev/bookworm libgpiod3/bookworm-backports libgpiod-dev/bookworm-backports ${view// //bookworm }/bookworm >&2) ||
+    give_up "apt could not download"
 
 cd "$apt/packages" || exit 3
 unpack() { # file or folder to be, packages
@@ -60,10 +71,17 @@ unpack() { # file or folder to be, packages
 }
 unpack v1 libgpiod2_* libgpiod-dev_1*
 unpack v2 libgpiod3_* libgpiod-dev_2*
+# shellcheck disable=SC2046
+unpack view $(for package in $view; do echo "${package}_"*; done)
 one_file() { # name to be, package, path in it
     dpkg-deb --fsys-tarfile "$2" | tar -x -C "$folder" --wildcards --transform "s:.*:$1:" "$3" || give_up "$2 has no $3"
 }
 one_file kernel "$kernel"_* './boot/vmlinuz*'
 one_file busybox busybox-static_* '*/bin/busybox'
+rm -rf "$folder/modules"
+mkdir -p "$folder/modules"
+for module in $modules; do
+    one_file "modules/$module.ko" "$kernel"_* "*/$module.ko"
+done
 rm -rf "$apt"
-touch "$folder/complete"
+echo "$contents" >"$folder/complete"

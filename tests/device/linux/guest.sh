@@ -1,23 +1,38 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# guest.sh DEBIAN VERSION OUT PROGRAM BOARD: an emulated handheld's OUT/initrd.gz and OUT/guest.dtb, of what fetch.sh left
-# in DEBIAN: busybox, the C library of the cross compiler, libgpiod VERSION (v1 or v2), the program as /bin/glint-device and
-# the board's file. Its console takes a line of shell at a time, and ends what the line printed with \036 and its status
-# (guest.py is the other side).
+# guest.sh DEBIAN VERSION OUT BOARD PROGRAM...: an emulated handheld's OUT/initrd.gz and OUT/guest.dtb, of what fetch.sh left
+# in DEBIAN: busybox, the C library of the cross compiler, libgpiod VERSION (v1 or v2), glint-view's libraries, the modules of
+# a USB that is all inside (start_usb loads them), the programs in /bin, and the board's file. Its console takes a line of shell
+# at a time, and ends what the line printed with \036 and its status (guest.py is the other side).
 set -eu
-debian=$1 version=$2 out=$3 program=$4 board=$5
+debian=$1 version=$2 out=$3 board=$4
+shift 4
 root=$out/root
 rm -rf "$root"
-mkdir -p "$root"/{bin,lib,proc,sys,dev,tmp,etc/glint}
+mkdir -p "$root"/{bin,lib,proc,sys,dev,tmp,etc/glint,modules}
 cp "$debian/busybox" "$root/bin/"
-cp "$program" "$root/bin/glint-device"
+for program in "$@"; do
+    name=$(basename "$program")
+    cp "$program" "$root/bin/${name%-"$version"}"
+done
 cp "$board" "$root/etc/glint/board.conf"
-for library in ld-linux-armhf.so.3 libc.so.6; do
+for library in ld-linux-armhf.so.3 libc.so.6 libm.so.6 libpthread.so.0; do
     cp -L "$(arm-linux-gnueabihf-gcc -print-file-name=$library)" "$root/lib/"
 done
 cp -a "$debian/$version"/usr/lib/arm-linux-gnueabihf/libgpiod.so.* "$root/lib/"
+find "$debian/view" -name 'lib*.so.*' -exec cp -a {} "$root/lib/" \;
+cp "$debian"/modules/*.ko "$root/modules/"
 echo 'root:x:0:0:root:/:/bin/sh
 nobody:x:65534:65534:nobody:/:/bin/sh' >"$root/etc/passwd"
+cat >"$root/bin/start_usb" <<'USB'
+#!/bin/sh
+# start_usb [OPTION OF dummy_hcd...]: a USB host, and a device's end at it
+for module in configfs udc-core usbcore "dummy_hcd $*" libcomposite usb_f_fs; do
+    name=${module%% *}
+    insmod "/modules/$name.ko" ${module#"$name"} || exit
+done
+mount -t configfs c /sys/kernel/config
+USB
 cat >"$root/init" <<'INIT'
 #!/bin/busybox sh
 /bin/busybox --install -s /bin
@@ -34,7 +49,7 @@ while read -r line; do
 done
 poweroff -f
 INIT
-chmod 755 "$root/init"
+chmod 755 "$root/init" "$root/bin/start_usb"
 (cd "$root" && find . | cpio --quiet -o -H newc | gzip -1) >"$out/initrd.gz"
 rm -rf "$root"
 
