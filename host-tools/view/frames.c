@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "view/frames.h"
 
+#include "fixed/fixed.h"
 #include "view/unpack.h"
 
 #include <stdlib.h>
@@ -28,8 +29,8 @@ static bool frames_room(struct frames *f, const struct parser_message *m)
     return f->next && f->last;
 }
 
-/* A frame that refers to the last one must be the next of the same kind. */
-static bool frames_follows(const struct frames *f, const struct parser_message *m)
+/* A frame that refers to the last one must be the next of the same kind; the last number is followed by 0. */
+FX_WRAPS static bool frames_follows(const struct frames *f, const struct parser_message *m)
 {
     const struct frames_picture *p = &f->picture;
     return f->chained && p->width == m->width && p->height == m->height && p->format == m->format &&

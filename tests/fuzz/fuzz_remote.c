@@ -1,18 +1,21 @@
 /* SPDX-License-Identifier: MIT */
-/* The handheld's program at the other end of a line: whatever comes, its choices stay in range, and the picture that it
- * sends if it was asked to is whole. */
+/* The handheld's program at the other end of a line, or of a link: whatever comes, its choices stay in range, and every
+ * picture that it sends is whole and shown. Without a link it sends what was asked for, and nothing else. */
 #include "app/app.h"
 #include "clock.h"
 #include "fuzz/fuzz.h"
 #include "host/displays.h"
 #include "input.h"
+#include "link.h"
 #include "view/frames.h"
 
-enum { WIDTH = 16, HEIGHT = 12, BAND_ROWS = 5, PIECE = 48 };
+enum { WIDTH = 16, HEIGHT = 12, BAND_ROWS = 5, PIECE = 48, MOST_PICTURES = 3 };
 
 static uint32_t memory[48 * 1024 / 4], bands[2][WIDTH * BAND_ROWS / 2 + 1], now_us;
+static uint16_t last[WIDTH * HEIGHT];
 static struct hal_display display = {&null_display};
 static struct frames viewer;
+static enum hal_link_frame link_next; /* what the link will do with a picture */
 
 uint32_t input_buttons(void)
 {
@@ -37,24 +40,37 @@ static int show(void *context, const void *bytes, size_t size)
     return 0;
 }
 
+static enum hal_link_frame link_begin(struct hal_link *link, uint32_t *skipped)
+{
+    (void)link;
+    *skipped += link_next == HAL_LINK_LEAVES;
+    if (link_next == HAL_LINK_TAKES_FIRST)
+        frames_restart(&viewer);
+    return link_next;
+}
+
+static const struct hal_link_ops link_ops = {.begin = link_begin, .write = show};
+static struct hal_link link_end = {&link_ops};
+
 static void in_range(const struct app *app)
 {
     const struct control *c = &app->control;
     FUZZ_CHECK(c->scene < c->scenes && c->method < c->methods && c->budget >= 1 && c->running <= 1);
-    FUZZ_CHECK(app->remote.receiver.count < STREAM_HEADER && app->remote.asked <= 1);
+    FUZZ_CHECK(app->remote.receiver.count < STREAM_HEADER);
 }
 
-/* Draws the moment; it goes out whole if that was asked for, and not at all otherwise. */
+/* Draws the moment. */
 static void draw(struct app *app)
 {
-    const struct frames_events none = {0};
-    bool asked = app->remote.asked;
-    frames_open(&viewer, &none);
+    bool goes = app->board->link ? link_next != HAL_LINK_LEAVES : app->remote.stream.key;
+    uint16_t heard = app->board->link && link_next == HAL_LINK_TAKES_FIRST ? 0 : app->remote.stream.heard;
+    uint32_t pictures = viewer.pictures;
+    const struct frames_picture *p = &viewer.picture;
     FUZZ_CHECK(show_frame(app) == 0);
-    FUZZ_CHECK(viewer.pictures == asked && viewer.lost == 0 && viewer.parser.count == 0 && !viewer.parser.damaged);
-    FUZZ_CHECK(!asked || (viewer.picture.scene == app->control.scene && viewer.picture.method == app->control.method &&
-                          viewer.picture.budget == app->control.budget));
-    frames_close(&viewer);
+    FUZZ_CHECK(viewer.pictures == pictures + goes && !viewer.lost && !viewer.parser.count && !viewer.parser.damaged);
+    FUZZ_CHECK(!goes || (p->scene == app->control.scene && p->method == app->control.method &&
+                         p->budget == app->control.budget && p->paused == !app->control.running && p->echo == heard));
+    FUZZ_CHECK(!goes || !app->remote.stream.key);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
@@ -67,14 +83,17 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
                                 .format = HAL_RGB565,
                                 .pack = &pack_rgb565,
                                 .band = {bands[0], bands[1]},
+                                .link = size & 1 ? &link_end : NULL,
                                 .memory = memory,
                                 .memory_bytes = sizeof memory};
     struct app app = {.board = &board,
                       .control = {.scenes = (uint16_t)program_scene_count,
                                   .methods = (uint16_t)glint_choice_count,
                                   .budget = CONTROL_BUDGET},
-                      .remote.stream = {.write = show}};
+                      .remote.stream = {.write = show, .last = size & 1 ? (uint8_t *)last : NULL}};
+    const struct frames_events none = {0};
     unsigned ready = CONTROL_READY, drawn = 0;
+    frames_open(&viewer, &none);
     for (size_t at = 0; at < size; at += PIECE) {
         uint32_t count = (uint32_t)(size - at < PIECE ? size - at : PIECE);
         unsigned effect = remote_hear(&app, data + at, count);
@@ -84,13 +103,15 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         FUZZ_CHECK(later == 0 || later == held);
         FUZZ_CHECK(remote_buttons(&app.remote, REMOTE_HELD_US) == 0);
         ready |= effect;
-        if (effect & CONTROL_DRAW && drawn < 2) { /* drawing takes a thousand times as long as listening */
+        if (effect & CONTROL_DRAW && drawn < MOST_PICTURES) { /* drawing takes a thousand times as long as listening */
             if (ready & CONTROL_READY)
                 show_ready(&app);
             ready = 0;
+            link_next = (enum hal_link_frame)(data[at] % 3);
             draw(&app);
             drawn++;
         }
     }
+    frames_close(&viewer);
     return 0;
 }

@@ -44,7 +44,7 @@ struct watch {
     bool begun, sound, started;
     bool plain; /* all of its bands are raw and of the right size */
     uint32_t number, rows, bands, width, height, format;
-    uint16_t sequence;
+    uint16_t sequence, echo;
     /* what was shown */
     uint32_t shown, sum;
     bool marked; /* the last one is the key frame that was appended */
@@ -66,6 +66,7 @@ static void watch_begin(struct watch *w, const struct parser_message *m)
     w->width = m->width;
     w->height = m->height;
     w->format = m->format;
+    w->echo = m->x;
 }
 
 /* Ahead of the viewer. */
@@ -110,6 +111,7 @@ static void watch_shown(void *context, const struct frames_picture *p)
     FUZZ_CHECK(w->begun && w->sound && p->number == w->number);
     FUZZ_CHECK(p->width == w->width && p->height == w->height && p->format == w->format && w->rows == p->height);
     FUZZ_CHECK(p->bands[STREAM_RAW] + p->bands[STREAM_QOI] + p->bands[STREAM_CHANGE] == w->bands);
+    FUZZ_CHECK(p->echo == w->echo);
     FUZZ_CHECK(!p->key || p->bands[STREAM_CHANGE] == 0);
     w->sum = (uint32_t)crc32(crc32(w->sum, (const uint8_t *)&p->number, sizeof p->number), p->pixels, (uInt)bytes);
     w->shown++;

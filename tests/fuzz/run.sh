@@ -17,7 +17,7 @@ one() {
     fuzz_remote) most=320 ;;
     *) most=192 ;;
     esac
-    ASAN_OPTIONS=quarantine_size_mb=16 "$build/fuzz/$1" -max_total_time="$seconds" -max_len=$most -use_value_profile=1 \
+    ASAN_OPTIONS=quarantine_size_mb=1:malloc_context_size=4 "$build/fuzz/$1" -max_total_time="$seconds" -max_len=$most \
         -timeout=10 -reload=0 -print_final_stats=1 -artifact_prefix="$build/broken/$1-" \
         "$found" "$corpus/$1" >"$log" 2>&1
     code=$?
