@@ -136,6 +136,8 @@ static void frames_take(void *context, const struct parser_message *m)
     f->picture.bytes += STREAM_HEADER + (m->length ? m->length + STREAM_CHECK : 0);
     switch (m->type) {
     case STREAM_HELLO:
+        if (f->begun) /* which does not go on behind it */
+            frames_lose(f);
         if (f->events.hello && m->payload[m->length - 1] == 0)
             f->events.hello(f->events.context, (const char *)m->payload, m->length);
         break;

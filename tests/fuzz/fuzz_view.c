@@ -84,6 +84,7 @@ static void watch_take(void *context, const struct parser_message *m)
         w->started = true;
         w->sequence = (uint16_t)((m->sequence + 1) & 0xFFFF);
     }
+    w->sound = w->sound && !(w->begun && m->type == STREAM_HELLO);
     if (m->type == STREAM_BEGIN)
         watch_begin(w, m);
     if (m->type == STREAM_BAND && w->begun) {

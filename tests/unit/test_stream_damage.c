@@ -13,8 +13,6 @@
 
 static struct tape tapes[STREAM_FORMATS];
 
-#define FOR_EACH_TAPE(tape) for (const struct tape *tape = tapes; tape < tapes + STREAM_FORMATS; tape++)
-
 static int record(void **state)
 {
     (void)state;
@@ -43,8 +41,7 @@ static void count_codecs(void *context, const struct frames_picture *p)
 static void the_tapes_have_bands_of_every_codec(void **state)
 {
     (void)state;
-    FOR_EACH_TAPE(tape)
-    {
+    for (const struct tape *tape = tapes; tape < tapes + STREAM_FORMATS; tape++) {
         uint32_t bands[STREAM_CODECS] = {0};
         const struct frames_events events = {.picture = count_codecs, .context = bands};
         struct frames frames;
@@ -59,89 +56,88 @@ static void the_tapes_have_bands_of_every_codec(void **state)
 static void every_split_shows_every_picture(void **state)
 {
     (void)state;
-    FOR_EACH_TAPE(tape)
-    for (size_t at = 0; at <= tape->out.count; at++) {
-        struct stream_case_view view;
-        uint8_t *first = malloc(at + 1), *second = malloc(tape->out.count - at + 1);
-        memcpy(first, tape->out.bytes, at);
-        memcpy(second, tape->out.bytes + at, tape->out.count - at);
-        tape_watch(tape, &view);
-        frames_push(&view.frames, first, at);
-        stream_case_take(&view, second, tape->out.count - at);
-        assert_int_equal(view.shown, TAPE_ALL);
-        assert_int_equal(view.wrong + view.frames.lost + view.frames.parser.damaged, 0);
-        free(first);
-        free(second);
-    }
+    for (const struct tape *tape = tapes; tape < tapes + STREAM_FORMATS; tape++)
+        for (size_t at = 0; at <= tape->out.count; at++) {
+            struct stream_case_view view;
+            uint8_t *first = malloc(at + 1), *second = malloc(tape->out.count - at + 1);
+            memcpy(first, tape->out.bytes, at);
+            memcpy(second, tape->out.bytes + at, tape->out.count - at);
+            tape_watch(tape, &view);
+            frames_push(&view.frames, first, at);
+            stream_case_take(&view, second, tape->out.count - at);
+            assert_int_equal(view.shown, TAPE_ALL);
+            assert_int_equal(view.wrong + view.frames.lost + view.frames.parser.damaged, 0);
+            free(first);
+            free(second);
+        }
 }
 
 static void bytes_may_come_in_pieces_of_any_size(void **state)
 {
     (void)state;
-    FOR_EACH_TAPE(tape)
-    for (size_t piece = 1; piece < 80; piece++) {
-        struct stream_case_view view;
-        tape_watch(tape, &view);
-        for (size_t at = 0; at < tape->out.count; at += piece)
-            frames_push(&view.frames, tape->out.bytes + at,
-                        tape->out.count - at < piece ? tape->out.count - at : piece);
-        assert_int_equal(view.shown, TAPE_ALL);
-        assert_int_equal(view.frames.parser.count, 0);
-        frames_close(&view.frames);
-    }
+    for (const struct tape *tape = tapes; tape < tapes + STREAM_FORMATS; tape++)
+        for (size_t piece = 1; piece < 80; piece++) {
+            struct stream_case_view view;
+            tape_watch(tape, &view);
+            for (size_t at = 0; at < tape->out.count; at += piece)
+                frames_push(&view.frames, tape->out.bytes + at,
+                            tape->out.count - at < piece ? tape->out.count - at : piece);
+            assert_int_equal(view.shown, TAPE_ALL);
+            assert_int_equal(view.frames.parser.count, 0);
+            frames_close(&view.frames);
+        }
 }
 
 static void every_beginning_shows_the_pictures_in_it(void **state)
 {
     (void)state;
-    FOR_EACH_TAPE(tape)
-    for (size_t size = 0; size <= tape->out.count; size++) {
-        struct stream_case_view view;
-        uint8_t *bytes = malloc(size + 1);
-        memcpy(bytes, tape->out.bytes, size);
-        tape_watch(tape, &view);
-        stream_case_take(&view, bytes, size);
-        assert_int_equal(view.wrong, 0);
-        assert_int_equal(view.shown, tape_left_by(tape, size, SIZE_MAX));
-        free(bytes);
-    }
+    for (const struct tape *tape = tapes; tape < tapes + STREAM_FORMATS; tape++)
+        for (size_t size = 0; size <= tape->out.count; size++) {
+            struct stream_case_view view;
+            uint8_t *bytes = malloc(size + 1);
+            memcpy(bytes, tape->out.bytes, size);
+            tape_watch(tape, &view);
+            stream_case_take(&view, bytes, size);
+            assert_int_equal(view.wrong, 0);
+            assert_int_equal(view.shown, tape_left_by(tape, size, SIZE_MAX));
+            free(bytes);
+        }
 }
 
 /* A cable pulled at any byte, and all that follows: what was cut off must not take the pictures after it along. */
 static void after_every_beginning_the_whole_is_shown(void **state)
 {
     (void)state;
-    FOR_EACH_TAPE(tape)
-    for (size_t size = 0; size <= tape->out.count; size++) {
-        struct stream_case_view view;
-        tape_watch(tape, &view);
-        frames_push(&view.frames, tape->out.bytes, size);
-        view.shown = 0;
-        stream_case_take(&view, tape->out.bytes, tape->out.count);
-        assert_int_equal(view.wrong, 0);
-        assert_int_equal(view.shown, TAPE_ALL);
-    }
+    for (const struct tape *tape = tapes; tape < tapes + STREAM_FORMATS; tape++)
+        for (size_t size = 0; size <= tape->out.count; size++) {
+            struct stream_case_view view;
+            tape_watch(tape, &view);
+            frames_push(&view.frames, tape->out.bytes, size);
+            view.shown = 0;
+            stream_case_take(&view, tape->out.bytes, tape->out.count);
+            assert_int_equal(view.wrong, 0);
+            assert_int_equal(view.shown, TAPE_ALL);
+        }
 }
 
 static void every_end_shows_the_pictures_from_its_first_key_frame_on(void **state)
 {
     (void)state;
-    FOR_EACH_TAPE(tape)
-    for (size_t from = 0; from <= tape->out.count; from++) {
-        struct stream_case_view view;
-        tape_watch(tape, &view);
-        stream_case_take(&view, tape->out.bytes + from, tape->out.count - from);
-        assert_int_equal(view.wrong, 0);
-        assert_int_equal(view.shown, tape_left_by(tape, 0, from));
-        assert_int_equal(view.frames.want_key, from > tape->begin[TAPE_KEY]);
-    }
+    for (const struct tape *tape = tapes; tape < tapes + STREAM_FORMATS; tape++)
+        for (size_t from = 0; from <= tape->out.count; from++) {
+            struct stream_case_view view;
+            tape_watch(tape, &view);
+            stream_case_take(&view, tape->out.bytes + from, tape->out.count - from);
+            assert_int_equal(view.wrong, 0);
+            assert_int_equal(view.shown, tape_left_by(tape, 0, from));
+            assert_int_equal(view.frames.want_key, from > tape->begin[TAPE_KEY]);
+        }
 }
 
 static void a_flipped_bit_costs_what_refers_to_it_alone(void **state)
 {
     (void)state;
-    FOR_EACH_TAPE(tape)
-    {
+    for (const struct tape *tape = tapes; tape < tapes + STREAM_FORMATS; tape++) {
         uint8_t *bytes = tape_copy(tape);
         for (size_t bit = 0; bit < 8 * tape->out.count; bit++) {
             struct stream_case_view view;
@@ -167,8 +163,7 @@ static struct tape_fault lost(const uint8_t *bytes, size_t count, size_t from, s
 static void a_lost_byte_costs_what_refers_to_it_alone(void **state)
 {
     (void)state;
-    FOR_EACH_TAPE(tape)
-    {
+    for (const struct tape *tape = tapes; tape < tapes + STREAM_FORMATS; tape++) {
         uint8_t *bytes = malloc(tape->out.count);
         for (size_t at = 0; at < tape->out.count; at++)
             for (size_t gap = 1; gap <= 64; gap *= 8) {
@@ -246,20 +241,20 @@ static void what_stands_between_messages_is_passed_over(void **state)
 {
     static const uint8_t foreign[][8] = {"frame x\n", {0xF6, 0x47, 0x4C, 0x53, 1, 3, 0, 0}, {0xF6, 0xF6, 0x47}, {0}};
     (void)state;
-    FOR_EACH_TAPE(tape)
-    for (unsigned kind = 0; kind < sizeof foreign / sizeof *foreign; kind++) {
-        struct stream_case_view view;
-        tape_watch(tape, &view);
-        frames_push(&view.frames, foreign[kind], sizeof foreign[kind]);
-        for (unsigned i = 0; i < tape->messages; i++) {
-            frames_push(&view.frames, tape->out.bytes + tape->message[i], tape->message[i + 1] - tape->message[i]);
+    for (const struct tape *tape = tapes; tape < tapes + STREAM_FORMATS; tape++)
+        for (unsigned kind = 0; kind < sizeof foreign / sizeof *foreign; kind++) {
+            struct stream_case_view view;
+            tape_watch(tape, &view);
             frames_push(&view.frames, foreign[kind], sizeof foreign[kind]);
+            for (unsigned i = 0; i < tape->messages; i++) {
+                frames_push(&view.frames, tape->out.bytes + tape->message[i], tape->message[i + 1] - tape->message[i]);
+                frames_push(&view.frames, foreign[kind], sizeof foreign[kind]);
+            }
+            frames_finish(&view.frames);
+            frames_close(&view.frames);
+            assert_int_equal(view.shown, TAPE_ALL);
+            assert_int_equal(view.wrong + view.frames.lost, 0);
         }
-        frames_finish(&view.frames);
-        frames_close(&view.frames);
-        assert_int_equal(view.shown, TAPE_ALL);
-        assert_int_equal(view.wrong + view.frames.lost, 0);
-    }
 }
 
 /* Pieces of the tape in any order, some twice, some damaged. */
