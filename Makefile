@@ -41,6 +41,8 @@ VIEW_FLAGS = $(if $(filter $(LIBUSB),$(VIEW_PACKAGES)),-DHAVE_LIBUSB) $(if $(fil
 	$(call once,VIEW_CFLAGS,$(if $(VIEW_PACKAGES),pkg-config --cflags $(VIEW_PACKAGES)))
 VIEW_LIBS = $(call once,VIEW_LDLIBS,$(if $(VIEW_PACKAGES),pkg-config --libs $(VIEW_PACKAGES)))
 CMOCKA_LIBS = $(call once,CMOCKA_LIBS,pkg-config --libs cmocka)
+# USB in the hands of a test: its functions, but the header of the real ones.
+$(BUILD)/tests/unit/test_usb $(BUILD)/tests/unit/test_usb_find: HOST_FLAGS += $(VIEW_FLAGS)
 
 CORE_OBJ := $(CORE_SRC:%.c=$(BUILD)/obj/%.o)
 HOST_OBJ := $(HOST_SRC:%.c=$(BUILD)/obj/%.o)

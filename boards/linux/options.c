@@ -9,12 +9,13 @@ const struct settings_panel settings_panels[] = {{"st7789", &panel_st7789, 240, 
                                                  {"ili9341", &panel_ili9341, 240, 320},
                                                  {"ssd1351", &panel_ssd1351, 128, 128},
                                                  {"ssd0323", &panel_ssd0323, 128, 64},
+                                                 {"none", NULL, 240, 240},
                                                  {0}};
 
 const struct option_text options_text[OPTIONS] = {
     {"board", "FILE", "the file with the options of a board, default " SETTINGS_BOARD},
-    {"panel", "NAME", "st7789, ili9341, ssd1351 or ssd0323"},
-    {"size", "WxH", "the glass, in pixels before rotation; default 240x240, 240x320, 128x128, 128x64"},
+    {"panel", "NAME", "st7789, ili9341, ssd1351 or ssd0323; or none: no pins are touched, with --stream"},
+    {"size", "WxH", "the glass, in pixels before rotation; default 240x240, 240x320, 128x128, 128x64, 240x240"},
     {"rotate", "DEG", "0, 90, 180 or 270: the panel is turned clockwise, the picture stays upright"},
     {"bgr", NULL, "red and blue are exchanged"},
     {"invert", NULL, "light and dark are exchanged"},
@@ -34,6 +35,9 @@ const struct option_text options_text[OPTIONS] = {
     {"cs", "LINE", "chip select, with --spi gpio, or none"},
     {"keys", "LIST", "buttons, as up=6,down=19,left=5,right=26,a=13,b=21,x=20,y=16; or none"},
     {"keys-high", NULL, "a pressed button is high, not low"},
+    {"stream", "usb", "every picture goes to a USB host too, which sees it with glint-view; wants root"},
+    {"udc", "NAME", "for --stream usb: which USB device controller; default the first there is"},
+    {"usb-serial", "TEXT", "the serial number that the host is told; default the machine's"},
     {"scene", "NAME", "to begin with: see --list"},
     {"method", "NAME", "to begin with: see --list; default x"},
     {"budget", "N", "how far a pixel may be off, 1..255 in 1/255"},
@@ -55,6 +59,7 @@ static int options_panel(struct settings *settings, const char *name)
     while (panel->name && strcmp(panel->name, name) != 0)
         panel++;
     settings->controller = panel->controller;
+    settings->bare = panel->name && !panel->controller;
     return panel->name != NULL;
 }
 
@@ -182,6 +187,30 @@ static int options_show(struct settings *settings, enum option_id option, char *
     }
 }
 
+/* Printable ASCII, as USB's strings are told to the kernel. */
+static int options_name(const char *text, size_t most, const char **name)
+{
+    size_t length = 0;
+    while (text[length] > ' ' && text[length] < 0x7F)
+        length++;
+    *name = text;
+    return length > 0 && length <= most && !text[length];
+}
+
+/* Where pictures go beside the panel. */
+static int options_stream(struct settings *settings, enum option_id option, const char *text)
+{
+    switch (option) {
+    case OPTION_STREAM:
+        settings->usb = 1;
+        return strcmp(text, "usb") == 0;
+    case OPTION_UDC:
+        return options_name(text, GADGET_NAME - 1, &settings->udc) && !strchr(text, '/');
+    default: /* OPTION_USB_SERIAL */
+        return options_name(text, SETTINGS_SERIAL, &settings->serial);
+    }
+}
+
 /* 1, or 0 if `text` is no value of the option. */
 int options_set(struct settings *settings, enum option_id option, char *text)
 {
@@ -207,7 +236,9 @@ int options_set(struct settings *settings, enum option_id option, char *text)
     case OPTION_REFRESH:
         return values_short(text, 0, 65535, &settings->refresh);
     default:
-        return option < OPTION_SCENE ? options_wiring(settings, option, text) : options_show(settings, option, text);
+        return option < OPTION_STREAM  ? options_wiring(settings, option, text)
+               : option < OPTION_SCENE ? options_stream(settings, option, text)
+                                       : options_show(settings, option, text);
     }
 }
 

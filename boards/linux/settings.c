@@ -91,7 +91,7 @@ static int settings_missing(const char *what)
 static void settings_glass(struct settings *settings)
 {
     for (const struct settings_panel *panel = settings_panels; panel->name && !settings->width; panel++)
-        if (panel->controller == settings->controller) {
+        if (panel->controller == settings->controller) { /* null: none */
             settings->width = panel->width;
             settings->height = panel->height;
         }
@@ -115,12 +115,29 @@ static int settings_fits(const struct settings *settings)
     return !wrong;
 }
 
+/* Without a panel. */
+static int settings_bare(const struct settings *settings)
+{
+    if (settings->task != SETTINGS_PLAY) {
+        fprintf(stderr, "glint-device: --test-pattern and --off want a panel\n");
+        return SETTINGS_BAD_USAGE;
+    }
+    if (!settings->usb)
+        return settings_missing("with --panel none, --stream usb");
+    if (settings->keys.count && !settings->wires.chip)
+        return settings_missing("--chip");
+    return -1;
+}
+
 /* What has to be known to play. */
 static int settings_complete(struct settings *settings)
 {
     struct wires_config *wires = &settings->wires;
     if (settings->task == SETTINGS_LIST || settings->task == SETTINGS_HELP)
         return -1;
+    settings_glass(settings);
+    if (settings->bare)
+        return settings_bare(settings);
     if (!settings->controller)
         return settings_missing("--panel");
     if (!wires->chip)
@@ -129,7 +146,6 @@ static int settings_complete(struct settings *settings)
         return settings_missing("--dc");
     if (!wires->spi && (!wires->sck || !wires->mosi))
         return settings_missing("--spi DEVICE, or --sck and --mosi,");
-    settings_glass(settings);
     return settings_fits(settings) ? -1 : SETTINGS_BAD_USAGE;
 }
 

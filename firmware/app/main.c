@@ -44,7 +44,7 @@ static void main_tell(struct app *app)
     }
     machine_write(line.text);
     machine_write("\n");
-    if (app->board->log)
+    if (app->board->log && app->remote.sending)
         app->board->log(&app->remote.stream, line.text);
 }
 

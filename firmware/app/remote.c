@@ -114,5 +114,4 @@ void remote_end(struct app *app)
         statistics.drawn += stats->drawn[id];
     if (app->remote.sending)
         stream_frame_end(&app->remote.stream, &statistics);
-    app->remote.sending = 0;
 }

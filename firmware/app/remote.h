@@ -16,7 +16,7 @@ struct remote {
     uint32_t buttons, held_us; /* told to be held (enum hal_button), and for how long yet */
     uint32_t pack_us;          /* to pack and send the picture so far */
     uint32_t skipped;          /* pictures that the link had no room for */
-    uint32_t sending;          /* the picture under way goes out */
+    uint32_t sending;          /* the picture under way goes out, or the last one did */
     struct stream stream;      /* its key: a picture is asked for */
     struct stream_receiver receiver;
 };

@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "app/text.h"
 
-/* Five rows from the top, an octal digit each, the left pixel in its highest bit. */
 static const uint16_t text_digits[10] = {075557, 026227, 071747, 071717, 055711,
                                          074717, 074757, 071122, 075757, 075717};
 static const uint16_t text_letters[26] = {025755, 065656, 034443, 065556, 074647, 074644, 034553, 055755, 072227,
                                           011152, 055655, 044447, 057755, 065555, 025552, 065644, 025563, 065655,
                                           034216, 072222, 055557, 055552, 055775, 055255, 055222, 071247};
 
-static uint16_t text_glyph(char c)
+uint16_t text_glyph(char c)
 {
     if (c >= '0' && c <= '9')
         return text_digits[c - '0'];

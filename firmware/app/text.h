@@ -29,6 +29,9 @@ struct text_canvas {
     uint8_t dark;   /* 1: black on white, with a row of white above that is another line's gap */
 };
 
+/* A letter: five rows from the top, an octal digit each, the left pixel in its highest bit. */
+uint16_t text_glyph(char letter);
+
 /* Draws what of `text`, its upper left corner at (x, y) of the picture, falls into the band. What does not fit the
  * picture's width is cut off. */
 void text_draw(const struct text_canvas *canvas, unsigned x, unsigned y, const char *text);

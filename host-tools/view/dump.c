@@ -29,13 +29,8 @@ int dump_folder(const char *folder)
     return S_ISDIR(there.st_mode) ? CLI_DONE : dump_problem(folder, HAL_E_IO);
 }
 
-int dump_picture(const char *folder, uint32_t index, const struct frames_picture *p)
+int dump_file(const char *path, const struct frames_picture *p)
 {
-    size_t room = strlen(folder) + sizeof "/frame-4294967295.png";
-    char *path = malloc(room);
-    if (!path)
-        return dump_problem(folder, HAL_E_FULL);
-    snprintf(path, room, "%s/frame-%04u.png", folder, (unsigned)index);
     struct host_display out = {.display.ops = &png_display, .path = path, .frames = 1};
     struct hal_display *display = &out.display;
     uint32_t stride = (uint32_t)unpack_row_bytes(p->format, p->width);
@@ -48,7 +43,28 @@ int dump_picture(const char *folder, uint32_t index, const struct frames_picture
         int closed = png_display.close(display, result == 0);
         result = result ? result : closed;
     }
-    int code = result ? dump_problem(path, result) : CLI_DONE;
+    return result ? dump_problem(path, result) : CLI_DONE;
+}
+
+int dump_picture(const char *folder, uint32_t index, const struct frames_picture *p)
+{
+    size_t room = strlen(folder) + sizeof "/frame-4294967295.png";
+    char *path = malloc(room);
+    if (!path)
+        return dump_problem(folder, HAL_E_FULL);
+    snprintf(path, room, "%s/frame-%04u.png", folder, (unsigned)index);
+    int code = dump_file(path, p);
     free(path);
     return code;
+}
+
+void dump_name(char name[DUMP_NAME], const char *kind)
+{
+    struct stat there;
+    for (unsigned i = 0; i < 10000; i++) {
+        snprintf(name, DUMP_NAME, "%.16s-%04u.png", kind, i);
+        if (lstat(name, &there) != 0 && errno == ENOENT)
+            return;
+    }
+    name[0] = 0;
 }

@@ -2,6 +2,7 @@
 #include "view/options.h"
 
 #include "glint/cli.h"
+#include "view/controls.h"
 
 #include <getopt.h>
 #include <stdio.h>
@@ -26,7 +27,10 @@ static const char options_help[] =
     "      --record-fps N     pictures a second of .y4m, 1..1000; the default is 60\n"
     "      --save FILE        keep the stream as it comes, for file:FILE\n"
     "      --frames N         end after N pictures, 1..1000000; the default is all\n"
-    "      --headless         open no window, which it does not so far: pictures are written, counted and listed\n"
+    "      --headless         open no window; nor do --dump, --frames, --trace and --names\n"
+    "      --scale N          of the window: pixels a pixel, 1..6; the default is what fits\n"
+    "      --rotate DEGREES   turn the picture clockwise: 0, 90, 180 or 270\n"
+    "      --fullscreen       fill the screen\n"
     "      --trace            print a line for each, with the CRC-32 of its bytes as drawn\n"
     "      --names            print what the device offers: scenes and methods\n"
     "      --scene NAME       let the device show a scene,\n"
@@ -34,7 +38,10 @@ static const char options_help[] =
     "      --budget N         with a budget of N, 1..255\n"
     "      --pause, --run     stop its animation, or let it go on\n"
     "      --help\n\n"
-    "Exit code: 0 done, 1 no picture, or fewer than asked for, 2 bad usage, 3 device or I/O.\n";
+    "Keys of the window:\n";
+
+static const char options_codes[] =
+    "\nExit code: 0 done, 1 no picture, or fewer than asked for, 2 bad usage, 3 device or I/O.\n";
 
 enum options_letter {
     OPTIONS_HELP = 'h',
@@ -47,6 +54,9 @@ enum options_letter {
     OPTIONS_SAVE,
     OPTIONS_FRAMES,
     OPTIONS_HEADLESS,
+    OPTIONS_SCALE,
+    OPTIONS_ROTATE,
+    OPTIONS_FULLSCREEN,
     OPTIONS_TRACE,
     OPTIONS_NAMES,
     OPTIONS_SCENE,
@@ -56,16 +66,27 @@ enum options_letter {
     OPTIONS_RUN,
 };
 
-static const struct option options_long[] = {
-    {"list", no_argument, NULL, OPTIONS_LIST},           {"serial", required_argument, NULL, OPTIONS_SERIAL},
-    {"wait", required_argument, NULL, OPTIONS_WAIT},     {"dump", required_argument, NULL, OPTIONS_DUMP},
-    {"record", required_argument, NULL, OPTIONS_RECORD}, {"record-fps", required_argument, NULL, OPTIONS_RECORD_FPS},
-    {"save", required_argument, NULL, OPTIONS_SAVE},     {"frames", required_argument, NULL, OPTIONS_FRAMES},
-    {"headless", no_argument, NULL, OPTIONS_HEADLESS},   {"trace", no_argument, NULL, OPTIONS_TRACE},
-    {"names", no_argument, NULL, OPTIONS_NAMES},         {"scene", required_argument, NULL, OPTIONS_SCENE},
-    {"method", required_argument, NULL, OPTIONS_METHOD}, {"budget", required_argument, NULL, OPTIONS_BUDGET},
-    {"pause", no_argument, NULL, OPTIONS_PAUSE},         {"run", no_argument, NULL, OPTIONS_RUN},
-    {"help", no_argument, NULL, OPTIONS_HELP},           {0}};
+static const struct option options_long[] = {{"list", no_argument, NULL, OPTIONS_LIST},
+                                             {"serial", required_argument, NULL, OPTIONS_SERIAL},
+                                             {"wait", required_argument, NULL, OPTIONS_WAIT},
+                                             {"dump", required_argument, NULL, OPTIONS_DUMP},
+                                             {"record", required_argument, NULL, OPTIONS_RECORD},
+                                             {"record-fps", required_argument, NULL, OPTIONS_RECORD_FPS},
+                                             {"save", required_argument, NULL, OPTIONS_SAVE},
+                                             {"frames", required_argument, NULL, OPTIONS_FRAMES},
+                                             {"headless", no_argument, NULL, OPTIONS_HEADLESS},
+                                             {"scale", required_argument, NULL, OPTIONS_SCALE},
+                                             {"rotate", required_argument, NULL, OPTIONS_ROTATE},
+                                             {"fullscreen", no_argument, NULL, OPTIONS_FULLSCREEN},
+                                             {"trace", no_argument, NULL, OPTIONS_TRACE},
+                                             {"names", no_argument, NULL, OPTIONS_NAMES},
+                                             {"scene", required_argument, NULL, OPTIONS_SCENE},
+                                             {"method", required_argument, NULL, OPTIONS_METHOD},
+                                             {"budget", required_argument, NULL, OPTIONS_BUDGET},
+                                             {"pause", no_argument, NULL, OPTIONS_PAUSE},
+                                             {"run", no_argument, NULL, OPTIONS_RUN},
+                                             {"help", no_argument, NULL, OPTIONS_HELP},
+                                             {0}};
 
 static void options_flag(struct options *options, int letter)
 {
@@ -87,6 +108,9 @@ static void options_flag(struct options *options, int letter)
         break;
     case OPTIONS_HEADLESS:
         options->headless = true;
+        break;
+    case OPTIONS_FULLSCREEN:
+        options->fullscreen = true;
         break;
     case OPTIONS_TRACE:
         options->trace = true;
@@ -115,6 +139,8 @@ int options_parse(struct options *options, int argc, char **argv)
         switch (letter) {
         case OPTIONS_HELP:
             fputs(options_help, stdout);
+            controls_print(stdout);
+            fputs(options_codes, stdout);
             return CLI_DONE;
         case '?':
             return CLI_BAD_USAGE;
@@ -126,6 +152,12 @@ int options_parse(struct options *options, int argc, char **argv)
             break;
         case OPTIONS_RECORD_FPS:
             good = cli_number(optarg, 1, 1000, &options->record_fps);
+            break;
+        case OPTIONS_SCALE:
+            good = cli_number(optarg, 1, 6, &options->scale);
+            break;
+        case OPTIONS_ROTATE:
+            good = cli_number(optarg, 0, 270, &options->rotate) && options->rotate % 90 == 0;
             break;
         case OPTIONS_BUDGET:
             good = cli_number(optarg, 1, 255, &options->budget);
@@ -141,6 +173,7 @@ int options_parse(struct options *options, int argc, char **argv)
     options->input = argc == optind ? "usb:" : argv[optind];
     if (options->serial && strcmp(options->input, "usb:") != 0)
         return cli_usage(OPTIONS_NAME, "--serial goes with the input usb:");
+    options->headless |= options->dump || options->frames || options->trace || options->names;
     if (options->headless && !options->wait)
         options->wait = OPTIONS_WAIT_DEFAULT;
     if (!*options->input || strcmp(options->input, "file:") == 0 || (options->dump && !*options->dump) ||

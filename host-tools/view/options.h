@@ -17,7 +17,9 @@ struct options {
     uint32_t record_fps;
     uint32_t wait;          /* at most so many seconds for an answer; 0: for ever */
     uint32_t budget, pause; /* to be asked for, or OPTIONS_NONE */
-    bool headless;
+    uint32_t scale, rotate; /* 0: as it fits; degrees */
+    bool headless;          /* also implied by what has no use for a window */
+    bool fullscreen;
     bool list;         /* the devices on USB, and nothing else */
     bool trace, names; /* print a line for each picture; what the device offers */
 };

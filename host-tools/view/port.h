@@ -26,6 +26,7 @@ struct port {
     bool asks;            /* a device is at the other end, or will be */
     bool polls;           /* it sends a picture only when asked */
     bool there;           /* now */
+    const char *why;      /* not, in a few words; null: none has been seen */
     unsigned connections; /* counts up when one comes: what is read from then on is another stream */
 
     const struct port_ops *ops;

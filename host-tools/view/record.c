@@ -12,9 +12,10 @@
 
 static const struct record_kind *record_find(const char *path)
 {
-    static const struct record_kind *const kinds[] = {&apng_kind, &y4m_kind};
+    enum { KINDS = 2 };
+    static const struct record_kind *const kinds[KINDS] = {&apng_kind, &y4m_kind};
     const char *slash = strrchr(path, '/'), *dot = strrchr(path, '.');
-    for (size_t i = 0; dot && (!slash || dot > slash + 1) && i < sizeof kinds / sizeof *kinds; i++)
+    for (size_t i = 0; dot && (!slash || dot > slash + 1) && i < KINDS; i++)
         for (unsigned k = 0; k < 2 && kinds[i]->endings[k]; k++)
             if (dot > path && strcmp(dot + 1, kinds[i]->endings[k]) == 0)
                 return kinds[i];

@@ -10,56 +10,71 @@
 #include <stdio.h>
 
 #define SESSION_WAIT_MS  100   /* between looks at the clock */
-#define SESSION_AGAIN_MS 1000. /* until a device that has not answered is asked again */
-#define SESSION_KEY_MS   250.  /* the same for one that sends all the time */
+#define SESSION_POLL_MS  1000. /* until a device that has not answered is asked again: for each picture, */
+#define SESSION_AGAIN_MS 250.  /* or one that sends them anyway, for a key frame or what else is wanted */
 
 static bool session_enough(const struct session *s)
 {
     return s->code != CLI_DONE || (s->options->frames && s->pictures >= s->options->frames);
 }
 
-static bool session_obeyed(uint32_t asked, uint32_t is)
+/* What a picture shows is asked for no more where there is a window: the device's own buttons may change it again. */
+static bool session_obeyed(struct session *s, const struct frames_picture *p)
 {
-    return asked == OPTIONS_NONE || asked == is;
+    const uint32_t shown[SESSION_WISHES] = {p->budget, p->paused, p->scene, p->method};
+    bool all = (!s->options->scene && !s->options->method) || s->names.length;
+    for (unsigned i = 0; i < SESSION_WISHES; i++)
+        if (s->wishes[i] == shown[i] && s->live.window)
+            s->wishes[i] = OPTIONS_NONE;
+        else if (s->wishes[i] != shown[i] && s->wishes[i] != OPTIONS_NONE)
+            all = false;
+    return all;
 }
 
-static void session_trace(const struct frames_picture *p)
+/* Each line as its picture comes: behind a pipe, too, somebody waits for it, or does no longer. */
+static void session_trace(struct session *s, const struct frames_picture *p)
 {
     size_t bytes = unpack_row_bytes(p->format, p->width) * p->height;
     printf("%u: %ux%u %s%s, moment %u ms, %u bytes, drawn in %u us, packed in %u us, %u of %u triangles, %u dropped, "
-           "crc %08X\n",
+           "%u skipped, crc %08X\n",
            (unsigned)p->number, p->width, p->height, cli_formats[p->format], p->key ? ", key" : "",
            (unsigned)p->moment_ms, (unsigned)p->bytes, (unsigned)p->draw_us, (unsigned)p->pack_us, (unsigned)p->drawn,
-           (unsigned)p->triangles, (unsigned)p->dropped, (unsigned)scene_crc32(0, p->pixels, bytes));
+           (unsigned)p->triangles, (unsigned)p->dropped, (unsigned)p->skipped,
+           (unsigned)scene_crc32(0, p->pixels, bytes));
+    if (fflush(stdout) != 0)
+        s->code = CLI_IO;
 }
 
 static void session_picture(void *context, const struct frames_picture *p)
 {
     struct session *s = context;
     const struct options *o = s->options;
-    s->obeyed = ((!o->scene && !o->method) || s->names.length) && session_obeyed(s->scene, p->scene) &&
-                session_obeyed(s->method, p->method) && session_obeyed(o->budget, p->budget) &&
-                session_obeyed(o->pause, p->paused);
+    s->obeyed = session_obeyed(s, p);
+    if (s->live.window)
+        live_picture(s, p);
     if (session_enough(s) || !s->obeyed)
         return;
-    s->bytes += p->bytes;
+    s->counted += p->bytes;
     if (o->dump && s->pictures == 0)
         s->code = dump_folder(o->dump);
     if (o->dump && s->code == CLI_DONE)
         s->code = dump_picture(o->dump, s->pictures, p);
-    if (s->code == CLI_DONE)
-        s->code = record_picture(&s->record, p);
+    int recorded = s->code ? s->code : record_picture(&s->record, p);
+    if (recorded && !live_film_ended(&s->live))
+        s->code = recorded;
     s->pictures++;
     if (o->trace)
-        session_trace(p);
+        session_trace(s, p);
 }
 
 static void session_log(void *context, const char *text, uint32_t length)
 {
-    const struct session *s = context;
+    struct session *s = context;
     fprintf(stderr, "%s: ", s->port.name);
     words_put(stderr, text, length);
     fputc('\n', stderr);
+    if (s->live.window)
+        live_log(&s->live, text, length);
 }
 
 static void session_choose(struct session *s, enum names_list list, const char *name, uint32_t *place)
@@ -81,42 +96,60 @@ static void session_hello(void *context, const char *text, uint32_t length)
     names_set(&s->names, text, length);
     if (first && s->options->names)
         names_print(&s->names);
-    session_choose(s, NAMES_SCENES, s->options->scene, &s->scene);
-    session_choose(s, NAMES_METHODS, s->options->method, &s->method);
+    session_choose(s, NAMES_SCENES, s->options->scene, &s->wishes[SESSION_SCENE]);
+    session_choose(s, NAMES_METHODS, s->options->method, &s->wishes[SESSION_METHOD]);
 }
 
-/* For a picture; and for what is wanted of it, until one shows that all of it has been heard. */
-static int session_ask(struct session *s)
+void session_send(struct session *s, enum stream_type type, uint32_t value)
 {
-    const struct {
-        enum stream_type type;
-        uint32_t value;
-    } wishes[] = {{STREAM_BUDGET, s->options->budget},
-                  {STREAM_PAUSE, s->options->pause},
-                  {STREAM_SCENE, s->scene},
-                  {STREAM_METHOD, s->method}};
-    int code = CLI_DONE;
-    for (unsigned i = 0; i < sizeof wishes / sizeof *wishes && !code && !s->obeyed; i++)
-        if (wishes[i].value != OPTIONS_NONE)
-            code = port_ask(&s->port, wishes[i].type, wishes[i].value);
-    return !code && (s->port.polls || s->frames.want_key) ? port_ask(&s->port, STREAM_KEY_PLEASE, 0) : code;
+    if (!s->port.asks || !s->port.there || s->ended || s->code != CLI_DONE)
+        return;
+    s->code = port_ask(&s->port, type, value);
+    meter_sent(&s->live.meter, s->port.sequence, cli_clock());
 }
 
-/* One that sends only when asked is asked for each picture; any, when it has not answered. */
-static bool session_wants(const struct session *s, double now)
+void session_wish(struct session *s, enum session_wish wish, uint32_t value)
 {
-    if (s->port.polls)
-        return s->seen != s->frames.pictures || now - s->asked >= SESSION_AGAIN_MS;
-    return s->port.asks && s->port.there && (s->frames.want_key || !s->obeyed) && now - s->asked >= SESSION_KEY_MS;
+    s->wishes[wish] = value;
+    s->obeyed = false;
+    if (!s->port.polls) /* which is asked after its next picture anyway */
+        s->asked = 0.;
+}
+
+/* For a picture, if none would come; and for what is wanted of it, until one shows that all of it has been heard. */
+static void session_ask(struct session *s)
+{
+    static const enum stream_type types[SESSION_WISHES] = {STREAM_BUDGET, STREAM_PAUSE, STREAM_SCENE, STREAM_METHOD};
+    for (unsigned i = 0; i < SESSION_WISHES && !s->obeyed; i++)
+        if (s->wishes[i] != OPTIONS_NONE)
+            session_send(s, types[i], s->wishes[i]);
+    if (s->port.polls || s->frames.want_key)
+        session_send(s, STREAM_KEY_PLEASE, 0);
 }
 
 /* A device has come: all that was heard is of another. It is asked at once. */
 static void session_connect(struct session *s)
 {
     frames_restart(&s->frames);
+    meter_restart(&s->live.meter);
     s->connections = s->port.connections;
     s->obeyed = false;
-    s->asked = cli_clock() - SESSION_AGAIN_MS;
+    s->asked = 0.;
+}
+
+/* One that sends only when asked is asked for each picture; any, when it owes an answer. */
+static void session_request(struct session *s)
+{
+    const struct port *port = &s->port;
+    double now = cli_clock();
+    bool due = now - s->asked >= (port->polls ? SESSION_POLL_MS : SESSION_AGAIN_MS);
+    if (!port->asks || !port->there)
+        return;
+    if (port->polls ? due || s->seen != s->frames.pictures : due && (s->frames.want_key || !s->obeyed)) {
+        session_ask(s);
+        s->seen = s->frames.pictures;
+        s->asked = now;
+    }
 }
 
 /* True if nobody has said anything for too long. */
@@ -130,30 +163,43 @@ static bool session_silent(struct session *s)
 }
 
 /* What the port has to say: false if nothing will follow. */
-static bool session_step(struct session *s)
+static bool session_hear(struct session *s)
 {
-    static uint8_t bytes[65536];
-    double now = cli_clock();
-    if (s->connections != s->port.connections)
-        session_connect(s);
-    if (session_wants(s, now)) {
-        s->code = session_ask(s);
-        s->seen = s->frames.pictures;
-        s->asked = now;
-    }
-    long count = port_read(&s->port, bytes, sizeof bytes, SESSION_WAIT_MS);
+    long count = port_read(&s->port, s->bytes, sizeof s->bytes, s->live.window ? LIVE_WAIT_MS : SESSION_WAIT_MS);
     if (count == PORT_FAILED)
         s->code = CLI_IO;
+    s->at = 0;
+    s->count = count > 0 ? (size_t)count : 0;
     if (count > 0) {
-        s->code = s->code ? s->code : save_bytes(&s->save, bytes, (size_t)count);
-        frames_push(&s->frames, bytes, (size_t)count);
+        s->code = s->code ? s->code : save_bytes(&s->save, s->bytes, s->count);
         s->asked = s->port.polls && s->frames.parser.count ? cli_clock() : s->asked; /* it is answering */
+    }
+    return count >= 0;
+}
+
+/* False if there is nothing more to do. */
+static bool session_step(struct session *s)
+{
+    bool window = s->live.window;
+    if (s->connections != s->port.connections)
+        session_connect(s);
+    session_request(s);
+    if (s->at == s->count && !s->ended && !live_holds(s) && !session_hear(s)) {
+        frames_finish(&s->frames);
+        s->ended = true;
+    }
+    while (s->at < s->count && !live_holds(s)) {
+        size_t size = s->count - s->at < LIVE_SLICE || !window ? s->count - s->at : LIVE_SLICE;
+        frames_push(&s->frames, s->bytes + s->at, size);
+        s->at += size;
     }
     if (s->code == CLI_DONE && session_silent(s)) {
         port_missing(&s->port);
         s->code = CLI_IO;
     }
-    return count >= 0;
+    if (window && (!s->ended || s->frames.pictures)) /* the last picture stays; without any there is nothing to see */
+        return live_step(s);
+    return !s->ended;
 }
 
 /* What came of it: one line, and the exit code. */
@@ -161,6 +207,8 @@ static int session_tell(const struct session *s)
 {
     const struct frames *f = &s->frames;
     uint32_t pictures = s->pictures;
+    if (s->live.window && !s->ended && pictures == 0) /* closed while it waited */
+        return CLI_DONE;
     if (f->parser.out_of_memory) {
         fprintf(stderr, "%s: out of memory\n", s->port.name);
         return CLI_IO;
@@ -172,7 +220,7 @@ static int session_tell(const struct session *s)
         return CLI_BAD_DATA;
     }
     printf("%u picture%s, %u bytes each, %u lost\n", (unsigned)pictures, pictures == 1 ? "" : "s",
-           (unsigned)((s->bytes + pictures / 2) / pictures), (unsigned)f->lost);
+           (unsigned)((s->counted + pictures / 2) / pictures), (unsigned)f->lost);
     return CLI_DONE;
 }
 
@@ -181,9 +229,10 @@ static int session_open(struct session *s, const struct options *o)
     const struct frames_events events = {session_picture, session_hello, session_log, s};
     bool asking = o->scene || o->method || o->budget != OPTIONS_NONE || o->pause != OPTIONS_NONE;
     s->options = o;
-    s->scene = s->method = OPTIONS_NONE;
+    s->wishes[SESSION_BUDGET] = o->budget;
+    s->wishes[SESSION_PAUSE] = o->pause;
+    s->wishes[SESSION_SCENE] = s->wishes[SESSION_METHOD] = OPTIONS_NONE;
     s->heard = cli_clock();
-    s->asked = s->heard - SESSION_AGAIN_MS;
     cli_catch_signals();
     s->save.path = o->save;
     s->record.rate = o->record_fps;
@@ -195,23 +244,24 @@ static int session_open(struct session *s, const struct options *o)
                          s->port.name);
     if (!code)
         frames_open(&s->frames, &events);
+    if (!code && !o->headless)
+        code = live_open(s);
     return code;
 }
 
 int session_run(struct session *s, const struct options *options)
 {
-    int code = session_open(s, options);
-    if (code)
-        return code;
+    s->code = session_open(s, options);
     while (!session_enough(s) && !cli_interrupted() && !s->frames.parser.out_of_memory && session_step(s))
         ;
-    frames_finish(&s->frames);
-    code = s->code;
+    int code = s->code;
     if (!code && !cli_interrupted())
         code = session_tell(s);
     int recorded = record_close(&s->record, true), saved = save_close(&s->save);
     code = code ? code : recorded ? recorded : saved;
+    live_close(&s->live);
     frames_close(&s->frames);
-    port_close(&s->port);
+    if (s->port.ops)
+        port_close(&s->port);
     return code;
 }

@@ -159,14 +159,16 @@ static void usb_arrive(struct usb *u, unsigned others)
         fprintf(stderr, "%s: taken; there %s %u more, --list lists them and --serial chooses\n", u->name,
                 others == 1 ? "is" : "are", others);
     u->told = LIBUSB_ERROR_NOT_FOUND;
+    u->port->why = NULL;
     u->port->there = true;
     u->port->connections++;
 }
 
 static void usb_tell(struct usb *u)
 {
-    fprintf(stderr, "%s: %s\n", u->name, usb_find_reason(u->trouble));
+    usb_find_tell(u->name, u->trouble);
     u->told = u->trouble;
+    u->port->why = usb_find_reason(u->trouble);
 }
 
 /* By a context of its own each time: where no udev daemon runs, the library's list is as old as its context. */
@@ -188,17 +190,21 @@ static void usb_look(struct usb *u)
                                          USB_FIND_VENDOR, USB_FIND_PRODUCT, LIBUSB_HOTPLUG_MATCH_ANY, usb_plugged, u,
                                          NULL);
     u->trouble = usb_find(u->context, *u->serial ? u->serial : NULL, &u->device, &others);
-    if (u->trouble == 0)
+    if (u->trouble == 0) {
         usb_arrive(u, others);
-    /* Twice in a row: a device that has just come may get its rights a moment later. */
-    else if (u->trouble == before && u->trouble != u->told && u->trouble != LIBUSB_ERROR_NOT_FOUND)
-        usb_tell(u);
+    } else if (u->trouble == LIBUSB_ERROR_NOT_FOUND) {
+        u->told = u->trouble;
+        u->port->why = NULL;
+    } else if (u->trouble == before && u->trouble != u->told) {
+        usb_tell(u); /* at the second look: a device that has just come may get its rights a moment later */
+    }
 }
 
 /* What there is to do now: true if a device came or went. Nothing of the one before is left when one has come. */
 static bool usb_step(struct usb *u)
 {
     bool there = u->port->there;
+    unsigned connections = u->port->connections;
     if (u->device.handle && !u->leaving) {
         usb_cancel(u, u->in_stalled, false);
         usb_clear(u);
@@ -211,7 +217,7 @@ static bool usb_step(struct usb *u)
     }
     if (!u->device.handle && u->received.count == 0 && (u->arrived || cli_clock() >= u->look))
         usb_look(u);
-    return u->port->there != there;
+    return u->port->there != there || u->port->connections != connections;
 }
 
 /* Callbacks are called in here alone. */

@@ -57,6 +57,12 @@ static bool usb_find_interface(libusb_device *device, const struct libusb_device
     return found;
 }
 
+static void usb_find_close(struct usb_device *d)
+{
+    libusb_close(d->handle);
+    d->handle = NULL;
+}
+
 /* 0: it is one, and open. */
 static int usb_find_open(libusb_device *device, struct usb_device *d)
 {
@@ -66,13 +72,15 @@ static int usb_find_open(libusb_device *device, struct usb_device *d)
     if (libusb_get_device_descriptor(device, &about) != 0 || !usb_find_interface(device, &about, d))
         return LIBUSB_ERROR_NOT_FOUND;
     int result = libusb_open(device, &d->handle);
-    if (result)
+    if (result) {
+        d->handle = NULL;
         return result == LIBUSB_ERROR_NO_DEVICE ? LIBUSB_ERROR_NOT_FOUND : result;
+    }
     if (usb_find_text(d->handle, about.iManufacturer, maker) && strcmp(maker, usb_find_maker) == 0 &&
         usb_find_text(d->handle, about.iProduct, d->product) &&
         usb_find_text(d->handle, about.iSerialNumber, d->serial))
         return 0;
-    libusb_close(d->handle);
+    usb_find_close(d);
     return LIBUSB_ERROR_NOT_FOUND;
 }
 
@@ -85,7 +93,7 @@ static int usb_find_claim(libusb_device *device, const char *serial, struct usb_
     result = serial && strcmp(serial, d->serial) != 0 ? LIBUSB_ERROR_NOT_FOUND
                                                       : libusb_claim_interface(d->handle, d->interface);
     if (result)
-        libusb_close(d->handle);
+        usb_find_close(d);
     return result == LIBUSB_ERROR_NO_DEVICE ? LIBUSB_ERROR_NOT_FOUND : result;
 }
 
@@ -102,7 +110,7 @@ int usb_find(libusb_context *context, const char *serial, struct usb_device *fou
         bool have = result == 0; /* then the rest is only counted */
         int one = have ? usb_find_open(list[i], &d) : usb_find_claim(list[i], serial, &d);
         if (have && one == 0)
-            libusb_close(d.handle);
+            usb_find_close(&d);
         *others += (have && one == 0) || one == LIBUSB_ERROR_BUSY;
         if (have || one == LIBUSB_ERROR_NOT_FOUND)
             continue;
@@ -116,8 +124,7 @@ int usb_find(libusb_context *context, const char *serial, struct usb_device *fou
 void usb_find_release(struct usb_device *device)
 {
     libusb_release_interface(device->handle, device->interface);
-    libusb_close(device->handle);
-    device->handle = NULL;
+    usb_find_close(device);
 }
 
 const char *usb_find_reason(int result)
@@ -126,12 +133,20 @@ const char *usb_find_reason(int result)
     case LIBUSB_ERROR_NOT_FOUND:
         return "no device";
     case LIBUSB_ERROR_ACCESS:
-        return "access denied; 'sudo cp host-tools/view/70-glint.rules /etc/udev/rules.d/', then plug it in again";
+        return "access denied";
     case LIBUSB_ERROR_BUSY:
         return "in use by another program";
     default:
         return libusb_strerror(result);
     }
+}
+
+void usb_find_tell(const char *name, int result)
+{
+    fprintf(stderr, "%s: %s%s\n", name, usb_find_reason(result),
+            result != LIBUSB_ERROR_ACCESS
+                ? ""
+                : "; 'sudo cp host-tools/view/70-glint.rules /etc/udev/rules.d/', then plug it in again");
 }
 
 static const char *usb_find_speed(libusb_device *device)
@@ -170,7 +185,7 @@ int usb_find_list(void)
     unsigned found = 0;
     int result = libusb_init(&context), problem = LIBUSB_ERROR_NOT_FOUND;
     if (result) {
-        fprintf(stderr, "usb: %s\n", usb_find_reason(result));
+        usb_find_tell("usb", result);
         return CLI_IO;
     }
     ssize_t count = libusb_get_device_list(context, &list);
@@ -180,7 +195,7 @@ int usb_find_list(void)
         if (one == 0) {
             found++;
             usb_find_print(list[i], &d);
-            libusb_close(d.handle);
+            usb_find_close(&d);
         } else if (one != LIBUSB_ERROR_NOT_FOUND) {
             problem = one;
         }
@@ -191,7 +206,7 @@ int usb_find_list(void)
         problem = (int)count;
     libusb_exit(context);
     if (!found || problem != LIBUSB_ERROR_NOT_FOUND)
-        fprintf(stderr, "usb: %s\n", usb_find_reason(problem));
+        usb_find_tell("usb", problem);
     return found ? CLI_DONE : CLI_IO;
 }
 #endif

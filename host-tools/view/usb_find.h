@@ -12,7 +12,7 @@
 #define USB_FIND_TEXT    128
 
 struct usb_device {
-    libusb_device_handle *handle; /* the interface claimed */
+    libusb_device_handle *handle; /* the interface claimed; or null */
     uint8_t interface, in, out;   /* its bulk endpoints */
     char serial[USB_FIND_TEXT], product[USB_FIND_TEXT];
 };
@@ -24,8 +24,9 @@ int usb_find(libusb_context *context, const char *serial, struct usb_device *fou
 
 void usb_find_release(struct usb_device *device);
 
-/* What usb_find() said, as the end of a message. */
+/* What usb_find() said, in a few words; and as a message, of `name`. */
 const char *usb_find_reason(int result);
+void usb_find_tell(const char *name, int result);
 
 /* Prints a line for each: an exit code, with a message. */
 int usb_find_list(void);

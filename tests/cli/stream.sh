@@ -59,7 +59,7 @@ matches 'saying how many there were' "$top/err" '^good.stream: only 6 pictures i
 head -c $((size / 30)) good.stream >short.stream
 run 'a stream without a whole picture fails' 1 "$view" file:short.stream --dump none
 echo 'no stream' >words
-run 'as does what is none' 1 "$view" file:words
+run 'as does what is none' 1 "$view" file:words --headless
 run 'a missing file is named' 3 "$view" file:nowhere
 matches 'with the reason' "$top/err" '^nowhere: No such file'
 run 'a file is no serial line' 3 "$view" good.stream
@@ -67,7 +67,7 @@ matches 'and is to be named otherwise' "$top/err" 'file:good.stream'
 run 'a folder is no stream' 3 "$view" file:want
 run 'a file is no folder' 3 "$view" file:good.stream --dump words
 run 'a file cannot be asked' 2 "$view" file:good.stream --scene demo
-run 'an input is needed' 2 "$view" --headless
+run 'there is one input' 2 "$view" file:good.stream file:good.stream
 run 'an empty name is none' 2 "$view" file:
 run 'nor is a folder of none' 2 "$view" file:good.stream --dump ''
 run 'a number is a number' 2 "$view" file:good.stream --frames 0

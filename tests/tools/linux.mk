@@ -7,7 +7,7 @@ GUEST_BOARD := boards/linux-virt/board.conf
 
 # glint-view of the guest, without a window.
 GUEST_VIEW := $(BUILD)/armhf/glint-view
-GUEST_VIEW_OBJ := $(patsubst %.c,$(BUILD)/armhf/%.o,$(wildcard host-tools/view/*.c hal/host/*.c) host-tools/glint/cli.c $(CORE_SRC))
+GUEST_VIEW_OBJ := $(patsubst %.c,$(BUILD)/armhf/%.o,$(wildcard host-tools/view/*.c hal/host/*.c) host-tools/glint/cli.c firmware/app/text.c $(CORE_SRC))
 GUEST_TOOLS := $(BUILD)/armhf/bogus $(BUILD)/armhf/cable
 GUEST_VIEW_HAS := $(LINUX_DEBIAN)/view/usr
 GUEST_LINK = -L$(GUEST_VIEW_HAS)/lib/arm-linux-gnueabihf -L$(LINUX_DEBIAN)/view/lib/arm-linux-gnueabihf \

@@ -19,7 +19,14 @@ suite-exhaustive: $(EXHAUSTIVE_BIN)
 	@status=0; for program in $^; do \
 		if $$program; then echo "ok $$program"; else echo "FAIL $$program"; status=1; fi; done; exit $$status
 
-suite-cli: $(GLINT) $(VIEW)
+# The viewer as it is where there is neither SDL2 nor libusb.
+VIEW_SRC := $(wildcard host-tools/view/*.c)
+PLAIN_VIEW := $(BUILD)/plain/glint-view
+$(PLAIN_VIEW): $(VIEW_SRC) $(HOST_LIB) $(CORE_LIB)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(HOST_FLAGS) $(PACKAGE_FLAGS) $(OPT) $(CFLAGS) $(LDFLAGS) $^ $(PACKAGE_LIBS) -lm -o $@
+
+suite-cli: $(GLINT) $(VIEW) $(PLAIN_VIEW)
 	@status=0; for script in $(CLI_TESTS); do echo "# $$script"; bash $$script $(GLINT) || status=1; done; exit $$status
 
 suite-models: $(GLINT)
@@ -55,7 +62,7 @@ suite-docs: $(CORE_LIB) $(SCENE_C) $(BENCH_ELF)
 suite-sanitize: $(SCENE_C)
 	@$(MAKE) BUILD=$(BUILD)/sanitize CC=clang OPT=-O1 CFLAGS="$(SANITIZE)" CORE_CFLAGS="$(SANITIZE_CORE)" suite-sanitized
 
-suite-sanitized: $(BUILD)/golden $(UNIT_BIN) $(GLINT) $(VIEW)
+suite-sanitized: $(BUILD)/golden $(UNIT_BIN) $(GLINT) $(VIEW) $(PLAIN_VIEW)
 	@status=0; $(MAKE) suite-unit || status=1; $(MAKE) suite-cli || status=1; \
 	tests/tools/check_golden.sh "sanitizers on this machine" all $(BUILD)/golden || status=1; exit $$status
 

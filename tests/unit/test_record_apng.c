@@ -22,7 +22,7 @@ static void widen(enum stream_format format, const uint8_t *pixels, uint8_t *sho
         host_display_widen((enum hal_pixel_format)format, pixels + y * stride, W, shown + y * W * samples);
 }
 
-/* All bytes, some within a rectangle of them, one, or none. */
+/* All bytes, those of a rectangle, a few there, one, or none. */
 static void change(uint8_t *pixels, enum stream_format format)
 {
     int stride = (int)unpack_row_bytes(format, W), kind = random_between(0, 4);
@@ -33,7 +33,8 @@ static void change(uint8_t *pixels, enum stream_format format)
         left = top = 0, right = stride - 1, bottom = H - 1;
     for (int y = top; y <= bottom && kind; y++)
         for (int x = left; x <= right; x++)
-            pixels[y * stride + x] = (uint8_t)random_bits();
+            if (kind != 3 || random_between(0, 9) == 0)
+                pixels[y * stride + x] = (uint8_t)random_bits();
     for (int y = 0; y < H && format == STREAM_GREY4; y++) /* nobody sees the last half byte */
         pixels[y * stride + stride - 1] &= 0xF0;
 }

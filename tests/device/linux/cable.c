@@ -30,13 +30,6 @@ static long long now_us(void)
     return t.tv_sec * 1000000LL + t.tv_nsec / 1000;
 }
 
-static void until(long long moment)
-{
-    struct timespec t = {moment / 1000000, moment % 1000000 * 1000};
-    while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &t, NULL) != 0) {
-    }
-}
-
 /* Passes on whole lines; how many of them were of pictures, or -1 at the end. */
 static int lines(int wait_ms)
 {
@@ -58,6 +51,16 @@ static int lines(int wait_ms)
     held -= (size_t)(at - line);
     memmove(line, at, held);
     return pictures;
+}
+
+/* Waits, and passes on what comes meanwhile. */
+static void until(long long moment)
+{
+    for (long long left; (left = moment - now_us()) > 0;) {
+        struct timespec t = {0, (left < 1000 ? left : 1000) * 1000};
+        nanosleep(&t, NULL);
+        lines(0);
+    }
 }
 
 static int pictures(int wanted)

@@ -1,0 +1,38 @@
+#!/bin/bash
+# SPDX-License-Identifier: MIT
+# glint-view where no device is, or none that answers.
+. "$(dirname "$0")/check.inc"
+view=$glint-view
+
+fresh
+nobody='usb:no-such-device'
+run 'a device that does not come is waited for as long as wanted' 3 timeout 20 "$view" $nobody --headless --wait 1
+matches 'then it is named' "$top/err" "^$nobody: "
+run 'its serial number may be an option' 3 timeout 20 "$view" --serial no-such-device --headless --wait 1
+matches 'and is named as well' "$top/err" "^$nobody: "
+run 'that goes with USB alone' 2 "$view" file:a.stream --serial A1
+run 'and is given once' 2 "$view" usb:A1 --serial B2
+run 'an empty one is none' 2 "$view" --serial ''
+run 'a list is of all' 2 "$view" usb:A1 --list
+run 'a time is one' 2 "$view" --wait 0
+matches 'in seconds' "$top/err" '1..86400'
+
+# line.py PERIOD COMMAND...: a serial line on which a board prints, or none, and its viewer
+cat >line.py <<'P'
+import os, subprocess, sys
+master, slave = os.openpty()
+view = subprocess.Popen(sys.argv[2:] + [os.ttyname(slave), "--headless", "--wait", "1", "--dump", "pictures"])
+while view.poll() is None:
+    if sys.argv[1] == "words":
+        os.write(master, b"12 frames a second\r\n")
+    try:
+        view.wait(.1)
+    except subprocess.TimeoutExpired:
+        pass
+sys.exit(view.wait())
+P
+for board in nothing words; do
+    run "a board that says $board is not waited for either" 3 timeout 20 python3 line.py $board "$view"
+    matches 'and named' "$top/err" '^/dev/.*: no answer$'
+done
+finish
