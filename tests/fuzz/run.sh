@@ -13,7 +13,7 @@ one() {
     local found=$build/found/$1 log=$build/$1.log code
     mkdir -p "$found" "$build/broken"
     case $1 in # bytes, by what they have to hold
-    fuzz_view) most=1024 ;;
+    fuzz_view) most=1280 ;;
     fuzz_remote) most=320 ;;
     *) most=192 ;;
     esac
