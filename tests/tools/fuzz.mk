@@ -9,9 +9,8 @@ FUZZ_LIB := $(BUILD)/fuzz/libfuzz.a
 FUZZ_SCENES := mini clip
 FUZZ_SCENE_C := $(SCENE_DIR)/fuzz_list.c $(FUZZ_SCENES:%=$(SCENE_DIR)/%.c)
 FUZZ_BIN := $(FUZZ_TARGETS:%=$(BUILD)/fuzz/%)
-# Wrapping that is meant is marked in the viewer as well. No leak is looked for at each input, but at the end.
+# Wrapping that is meant is marked, in the viewer too.
 FUZZ_SANITIZE := $(SANITIZE) $(SANITIZE_CORE) -fsanitize=fuzzer-no-link
-SECONDS ?= 60
 
 $(SCENE_DIR)/fuzz_list.c: tests/tools/scene_list.sh tests/tools/fuzz.mk
 	@mkdir -p $(@D)
@@ -36,12 +35,11 @@ endef
 $(foreach t,$(FUZZ_TARGETS),$(eval $(call fuzz_rule,$(t))))
 -include $(FUZZ_BIN:=.d)
 
-fuzz: deps-test ## Make inputs up for the parsers of streams, SECONDS=60 for each target; what broke one stays in build/fuzz
-	$(Q)$(MAKE) --no-print-directory $(FUZZ_SCENE_C)
+fuzz-search: $(FUZZ_SCENE_C)
 	$(Q)$(MAKE) --no-print-directory BUILD=$(BUILD)/fuzz CC=clang CFLAGS="$(FUZZ_SANITIZE)" FUZZER=-fsanitize=fuzzer fuzz-run
 
 fuzz-run: $(FUZZ_BIN)
-	$(Q)tests/fuzz/run.sh $(BUILD) $(FUZZ_CORPUS) $(SECONDS) $(FUZZ_TARGETS)
+	$(Q)tests/fuzz/run.sh $(BUILD) $(FUZZ_CORPUS) $(if $(filter file,$(origin SECONDS)),60,$(SECONDS)) $(FUZZ_TARGETS)
 
 fuzz-replay: $(FUZZ_BIN)
 	@status=0; for target in $(FUZZ_TARGETS); do $(BUILD)/fuzz/$$target $(FUZZ_CORPUS)/$$target || status=1; done; exit $$status
@@ -55,4 +53,8 @@ suite-fuzz: $(FUZZ_SCENE_C)
 	@status=0; $(MAKE) fuzz-replay || status=1; \
 	$(MAKE) BUILD=$(BUILD)/lines CC=gcc OPT=-O0 CFLAGS=--coverage fuzz-lines || status=1; exit $$status
 
-.PHONY: fuzz fuzz-run fuzz-replay fuzz-lines suite-fuzz
+# The corpus once more, as unit tests are.
+suite-sanitize: $(FUZZ_SCENE_C)
+suite-sanitized: $(FUZZ_BIN)
+
+.PHONY: fuzz-search fuzz-run fuzz-replay fuzz-lines suite-fuzz
