@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The viewer: whatever bytes come, in whatever pieces, a picture is shown only if each of its messages came whole, in
- * order, since a key frame; memory stays within what was pushed; and a key frame after all that is always shown. */
+/* The viewer: whatever bytes come, in whatever pieces, and behind another sender's, a picture is shown only if each of
+ * its messages came whole, in order, since a key frame; memory stays within what was pushed; and a key frame after all
+ * that is always shown. */
 #include "fuzz/fuzz.h"
 #include "stream/stream.h"
 #include "view/frames.h"
@@ -155,6 +156,16 @@ static void watch_push(struct watch *w, const uint8_t *bytes, size_t size)
     FUZZ_CHECK(p->need <= STREAM_HEADER + 3 * 2048 * 2048 + STREAM_CHECK);
 }
 
+/* A part, and another sender: from here on it is as new. */
+static void watch_restart(struct watch *w, const uint8_t *data, size_t size)
+{
+    watch_push(w, data, size);
+    frames_restart(&w->frames);
+    FUZZ_CHECK(w->frames.parser.count == 0 && w->frames.want_key);
+    w->begun = w->sound = w->started = false;
+    w->shown = w->sum = w->frames.lost = 0;
+}
+
 /* In pieces of sizes that the bytes themselves give: all at once for those of even sums. */
 static void watch_pieces(struct watch *w, const uint8_t *data, size_t size)
 {
@@ -217,6 +228,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     watch_open(&whole);
     watch_push(&whole, data, size);
     watch_open(&pieces);
+    watch_restart(&pieces, data, size / 3 * 2);
     watch_pieces(&pieces, data, size);
     if (whole.frames.parser.damaged <= PAID && pieces.frames.parser.damaged <= PAID)
         FUZZ_CHECK(whole.shown == pieces.shown && whole.sum == pieces.sum && whole.frames.lost == pieces.frames.lost &&

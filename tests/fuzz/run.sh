@@ -28,6 +28,7 @@ one() {
     return 1
 }
 export -f one
+rm -f "$build"/fuzz_*.log
 printf '%s\n' "$@" | nice xargs -P "$(nproc)" -I{} bash -c 'one {}'
 status=$?
 grep -hE '^#[0-9]+\sDONE' "$build"/fuzz_*.log | awk '{ sum += substr($1, 2) } END { printf "%d executions\n", sum }'

@@ -184,7 +184,7 @@ static void a_frame_of_another_kind_is_no_next_one(void **state)
     static const struct {
         enum stream_at at;
         unsigned value;
-    } kinds[] = {{STREAM_AT_WIDTH, 4}, {STREAM_AT_HEIGHT, 3}, {STREAM_AT_FORMAT, 1}, {STREAM_HEADER, 7}};
+    } kinds[] = {{STREAM_AT_WIDTH, 4}, {STREAM_AT_HEIGHT, 3}, {STREAM_AT_FORMAT, 1}};
     (void)state;
     for (const struct tape *tape = tapes; tape < tapes + STREAM_FORMATS; tape++)
         for (unsigned k = 0; k < sizeof kinds / sizeof *kinds; k++)
@@ -200,6 +200,45 @@ static void a_frame_of_another_kind_is_no_next_one(void **state)
                 add(&mix, tape, begin + 1, tape->messages);
                 assert_int_equal(show(&mix, tape, NULL).view.shown, tape_left_by(tape, tape->begin[i], tape->end[i]));
             }
+}
+
+/* The one before again, or one later, from its beginning to its end. */
+static void a_frame_of_another_number_is_no_next_one(void **state)
+{
+    (void)state;
+    for (const struct tape *tape = tapes; tape < tapes + STREAM_FORMATS; tape++)
+        for (unsigned i = 1; i < TAPE_COUNT; i++)
+            for (unsigned later = 0; later <= 2; later += 2) {
+                struct mix mix = {.count = 0};
+                unsigned begin = begin_of(tape, i), end = begin;
+                if (i == TAPE_KEY)
+                    continue;
+                while (tape->message[end + 1] != tape->end[i])
+                    end++;
+                add(&mix, tape, 0, tape->messages);
+                for (unsigned k = begin; k <= end; k += end - begin) {
+                    tape_put(mix.bytes + tape->message[k] + STREAM_HEADER, 4, i - 1 + later);
+                    tape_check(mix.bytes + tape->message[k]);
+                }
+                assert_int_equal(show(&mix, tape, NULL).view.shown, tape_left_by(tape, tape->begin[i], tape->end[i]));
+            }
+}
+
+/* All of its messages are there, and the picture before is too: it must not be called a key frame all the same. */
+static void a_key_frame_refers_to_no_other(void **state)
+{
+    (void)state;
+    for (const struct tape *tape = tapes; tape < tapes + STREAM_FORMATS; tape++)
+        for (unsigned i = 1; i < TAPE_COUNT; i++) {
+            struct mix mix = {.count = 0};
+            uint8_t *head = mix.bytes + tape->begin[i];
+            const uint8_t *band = head + tape_message(tape->out.bytes + tape->begin[i]);
+            add(&mix, tape, 0, tape->messages);
+            head[STREAM_HEADER + 8] |= STREAM_KEY;
+            tape_check(head);
+            if (band[STREAM_AT_CODEC] == STREAM_CHANGE)
+                assert_int_equal(show(&mix, tape, NULL).view.shown, tape_left_by(tape, tape->begin[i], tape->end[i]));
+        }
 }
 
 static void size_and_format_change_with_a_key_frame(void **state)
@@ -311,6 +350,8 @@ int main(void)
         cmocka_unit_test(a_message_of_another_stream_is_a_gap),
         cmocka_unit_test(two_streams_in_turns_show_whole_key_frames_alone),
         cmocka_unit_test(a_frame_of_another_kind_is_no_next_one),
+        cmocka_unit_test(a_frame_of_another_number_is_no_next_one),
+        cmocka_unit_test(a_key_frame_refers_to_no_other),
         cmocka_unit_test(size_and_format_change_with_a_key_frame),
         cmocka_unit_test(hello_within_a_frame_spoils_it),
         cmocka_unit_test(the_sequence_goes_on_at_zero),
