@@ -18,7 +18,7 @@ static void frames_lose(struct frames *f)
 static bool frames_room(struct frames *f, const struct parser_message *m)
 {
     const struct frames_picture *p = &f->picture;
-    if (f->next && f->last && p->width == m->width && p->height == m->height && p->format == m->format)
+    if (f->next && p->width == m->width && p->height == m->height && p->format == m->format)
         return true;
     size_t bytes = unpack_row_bytes(m->format, m->width) * m->height;
     free(f->next);

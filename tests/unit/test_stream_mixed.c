@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Whole messages in the wrong order, twice, of another stream or of another kind: no wrong picture is ever shown, and
  * every one is that came in order, with all it refers to. */
+#include "view/port.h"
+
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdbool.h>
@@ -91,6 +93,16 @@ static unsigned begin_of(const struct tape *tape, unsigned frame)
     while (tape->message[i] != tape->begin[frame])
         i++;
     return i;
+}
+
+/* As if all that is in the mix had been sent so. */
+static void renumber(struct mix *mix)
+{
+    unsigned sequence = TAPE_SEQUENCE;
+    for (size_t at = 0; at < mix->count; at += tape_message(mix->bytes + at)) {
+        tape_put(mix->bytes + at + STREAM_AT_SEQUENCE, 2, sequence++);
+        tape_check(mix->bytes + at);
+    }
 }
 
 static bool begins_key_frame(const struct tape *tape, unsigned message)
@@ -224,6 +236,65 @@ static void a_frame_of_another_number_is_no_next_one(void **state)
             }
 }
 
+/* With a sequence that has no gap. */
+static void a_frame_that_lacks_a_message_is_none(void **state)
+{
+    (void)state;
+    for (const struct tape *tape = tapes; tape < tapes + STREAM_FORMATS; tape++)
+        for (unsigned i = 0; i < tape->messages; i++) {
+            struct mix mix = {.count = 0};
+            unsigned type = tape->out.bytes[tape->message[i] + STREAM_AT_TYPE];
+            add(&mix, tape, 0, i);
+            add(&mix, tape, i + 1, tape->messages);
+            renumber(&mix);
+            assert_int_equal(show(&mix, tape, NULL).view.shown,
+                             type == STREAM_HELLO || type == STREAM_LOG
+                                 ? TAPE_ALL
+                                 : tape_left_by(tape, tape->message[i], tape->message[i + 1]));
+        }
+}
+
+static void a_band_elsewhere_or_of_another_kind_is_none_of_the_frame(void **state)
+{
+    static const struct {
+        enum stream_at at;
+        int more;
+    } fields[] = {{STREAM_AT_X, 1},      {STREAM_AT_X + 1, 1},  {STREAM_AT_Y, 1},      {STREAM_AT_Y, -1},
+                  {STREAM_AT_WIDTH, 1},  {STREAM_AT_WIDTH, -1}, {STREAM_AT_HEIGHT, 1}, {STREAM_AT_HEIGHT, -1},
+                  {STREAM_AT_FORMAT, 1}, {STREAM_AT_FORMAT, -1}};
+    (void)state;
+    for (const struct tape *tape = tapes; tape < tapes + STREAM_FORMATS; tape++)
+        for (unsigned i = 0; i < tape->messages; i++)
+            for (unsigned k = 0; k < sizeof fields / sizeof *fields; k++) {
+                struct mix mix = {.count = 0};
+                uint8_t *head = mix.bytes + tape->message[i];
+                add(&mix, tape, 0, tape->messages);
+                if (head[STREAM_AT_TYPE] != STREAM_BAND)
+                    continue;
+                head[fields[k].at] = (uint8_t)((head[fields[k].at] + fields[k].more) & 255);
+                tape_check(head);
+                assert_int_equal(show(&mix, tape, NULL).view.shown,
+                                 tape_left_by(tape, tape->message[i], tape->message[i + 1]));
+            }
+}
+
+/* As from a line that echoes. */
+static void what_a_host_says_is_passed_over(void **state)
+{
+    (void)state;
+    for (const struct tape *tape = tapes; tape < tapes + STREAM_FORMATS; tape++)
+        for (unsigned at = 0; at <= tape->messages; at++) {
+            struct mix mix = {.count = 0};
+            uint8_t request[STREAM_HEADER];
+            port_message(request, STREAM_KEY_PLEASE, 0, (uint16_t)at);
+            add(&mix, tape, 0, at);
+            memcpy(mix.bytes + mix.count, request, sizeof request);
+            mix.count += sizeof request;
+            add(&mix, tape, at, tape->messages);
+            assert_int_equal(show(&mix, tape, NULL).view.shown, TAPE_ALL);
+        }
+}
+
 /* All of its messages are there, and the picture before is too: it must not be called a key frame all the same. */
 static void a_key_frame_refers_to_no_other(void **state)
 {
@@ -260,16 +331,6 @@ static void size_and_format_change_with_a_key_frame(void **state)
                 assert_int_equal(seen.others, TAPE_COUNT);
                 assert_int_equal(seen.view.frames.lost, 0);
             }
-}
-
-/* Counts what follows on by one, behind a message that was put in. */
-static void renumber(struct mix *mix)
-{
-    unsigned sequence = TAPE_SEQUENCE;
-    for (size_t at = 0; at < mix->count; at += tape_message(mix->bytes + at)) {
-        tape_put(mix->bytes + at + STREAM_AT_SEQUENCE, 2, sequence++);
-        tape_check(mix->bytes + at);
-    }
 }
 
 /* In order, as far as the sequence goes: only a line, or what is not known, may come between bands. */
@@ -351,6 +412,9 @@ int main(void)
         cmocka_unit_test(two_streams_in_turns_show_whole_key_frames_alone),
         cmocka_unit_test(a_frame_of_another_kind_is_no_next_one),
         cmocka_unit_test(a_frame_of_another_number_is_no_next_one),
+        cmocka_unit_test(a_frame_that_lacks_a_message_is_none),
+        cmocka_unit_test(a_band_elsewhere_or_of_another_kind_is_none_of_the_frame),
+        cmocka_unit_test(what_a_host_says_is_passed_over),
         cmocka_unit_test(a_key_frame_refers_to_no_other),
         cmocka_unit_test(size_and_format_change_with_a_key_frame),
         cmocka_unit_test(hello_within_a_frame_spoils_it),

@@ -171,6 +171,22 @@ static void any_bytes_do_no_harm(void **state)
     assert_in_range(taken, 100, 30000);
 }
 
+/* Bytes that mean nothing, or not there: more of no copy, above in the first row, the last picture of none, 19 to 1F.
+ */
+static void what_cannot_be_copied_is_refused(void **state)
+{
+    static const uint8_t codes[][3] = {{0xC0, 0, 0}, {0x18, 7, 0xC0}, {0x5F, 0, 0}, {0x41, 0, 0},
+                                       {0x7F, 0, 0}, {0x61, 0, 0},    {0x19, 0, 0}, {0x1F, 0, 0}};
+    (void)state;
+    for (unsigned width = 1; width <= 9; width++)
+        for (unsigned i = 0; i < sizeof codes / sizeof *codes; i++) {
+            struct band b = open_band(STREAM_GREY8, width, 1, false);
+            for (uint32_t count = i == 1 ? 3 : 1; count <= 3; count++)
+                assert_false(unpack(&b, codes[i], count));
+            close_band(&b);
+        }
+}
+
 /* A band of one row or, for a copy from above, two: some pixels that nothing is like, a run that can be copied in one
  * way alone, and one more that ends it. */
 static struct band open_run(enum stream_format format, enum pack_kind kind, unsigned run, unsigned lead)
@@ -272,6 +288,7 @@ int main(void)
         cmocka_unit_test(an_unchanged_band_takes_a_byte_for_512_pixels),
         cmocka_unit_test(a_part_is_not_taken_for_the_whole),
         cmocka_unit_test(any_bytes_do_no_harm),
+        cmocka_unit_test(what_cannot_be_copied_is_refused),
         cmocka_unit_test(runs_of_every_length_come_back),
         cmocka_unit_test(every_width_comes_back_in_every_format),
         cmocka_unit_test(the_worst_band_takes_a_byte_a_pixel_more_than_its_pixels),
