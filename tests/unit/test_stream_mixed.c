@@ -355,6 +355,24 @@ static void hello_within_a_frame_spoils_it(void **state)
             }
 }
 
+/* Even if it went on where the one before stopped: nothing is known of what it refers to. */
+static void another_sender_begins_with_a_key_frame(void **state)
+{
+    (void)state;
+    for (const struct tape *tape = tapes; tape < tapes + STREAM_FORMATS; tape++)
+        for (unsigned i = 0; i < tape->messages; i++) {
+            struct stream_case_view view;
+            tape_watch(tape, &view);
+            frames_push(&view.frames, tape->out.bytes, tape->message[i] + 7);
+            frames_restart(&view.frames);
+            assert_true(view.frames.want_key);
+            view.shown = 0;
+            stream_case_take(&view, tape->out.bytes + tape->message[i], tape->out.count - tape->message[i]);
+            assert_int_equal(view.wrong, 0);
+            assert_int_equal(view.shown, tape_left_by(tape, 0, tape->message[i]));
+        }
+}
+
 /* The sequence passes 65535 at each of the tape's messages. */
 static void the_sequence_goes_on_at_zero(void **state)
 {
@@ -418,6 +436,7 @@ int main(void)
         cmocka_unit_test(a_key_frame_refers_to_no_other),
         cmocka_unit_test(size_and_format_change_with_a_key_frame),
         cmocka_unit_test(hello_within_a_frame_spoils_it),
+        cmocka_unit_test(another_sender_begins_with_a_key_frame),
         cmocka_unit_test(the_sequence_goes_on_at_zero),
         cmocka_unit_test(the_number_of_a_frame_goes_on_at_zero),
     };
