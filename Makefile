@@ -92,6 +92,9 @@ test-rp2040: deps-test ## Frames on the display wires of an emulated PicoSystem,
 test-linux: deps-test ## The Linux boards' program on an emulated handheld, judged at its pins
 	$(Q)tests/tools/run.sh linux
 
+test-usb: deps-test ## Pictures over USB between glint-device and glint-view, with pulled cables and hostile hosts, in that handheld
+	$(Q)tests/tools/run.sh usb
+
 test-sanitize: deps-test ## Unit tests, command line and hashes under clang's sanitizers; firmware/ and hal/ under integer too
 	$(Q)tests/tools/run.sh sanitize
 
@@ -219,5 +222,5 @@ include tests/tools/faults.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
-.PHONY: all tool demo view test test-unit test-cli test-models test-core test-golden test-device test-rp2040 test-linux test-sanitize test-exhaustive \
+.PHONY: all tool demo view test test-unit test-cli test-models test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive \
 	bench bench-boards bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-view deps-test deps-linux image run flash install clean help

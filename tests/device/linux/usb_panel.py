@@ -9,7 +9,7 @@ from usb import BARE, DEMO, STEP, Pictures
 WIRED = f"{BARE} --chip 9030000.pl061 --dc DC --reset RESET --backlight BACKLIGHT"
 BY_SPIDEV = "--spi /dev/spidev0.0"
 BY_LINES = "--spi gpio --sck SCK --mosi MOSI --cs CS"
-FRAMES = 24
+FRAMES = 60
 STREAMED = 10
 
 
