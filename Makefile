@@ -95,6 +95,9 @@ test-rp2040: deps-test ## Frames on the display wires of an emulated PicoSystem,
 test-linux: deps-test ## The Linux boards' program on an emulated handheld, judged at its pins
 	$(Q)tests/tools/run.sh linux
 
+test-usb: deps-test ## Pictures over USB between glint-device and glint-view, with pulled cables and hostile hosts, in that handheld
+	$(Q)tests/tools/run.sh usb
+
 test-sanitize: deps-test ## Unit tests, command line and hashes under clang's sanitizers; firmware/ and hal/ under integer too
 	$(Q)tests/tools/run.sh sanitize
 
@@ -116,12 +119,14 @@ report: deps-test ## Pictures, errors and costs of every method on every scene, 
 bench-setup: deps-test ## The papers' quadratic set-ups: operations, instructions, seconds; writes build/bench/setup.csv
 	$(Q)$(MAKE) --no-print-directory bench-setup-table
 
-bench-stream: deps-test ## Bytes a picture of a stream, and instructions to pack it, on Cortex-M0+, M3 and M4
+bench-stream: deps-test ## Bytes a picture of a stream, and instructions to pack it, on Cortex-M0+, M3, M4; writes build/bench/stream.csv
 	$(Q)$(MAKE) --no-print-directory bench-stream-table
 
-figures: deps-test ## Write the README's figures of quality and cost anew
+figures: deps-test ## Write the figures of quality and cost in the README files anew
 	$(Q)$(MAKE) --no-print-directory bench-table bench-boards-table report-page
-	$(Q)tests/tools/figures.sh $(GLINT) $(BUILD)/bench/bench.csv $(BUILD)/report/report.csv README.md
+	$(Q)tests/tools/figures.sh $(GLINT) $(BUILD)/bench/bench.csv $(BUILD)/report/report.csv $(BUILD)/report/stream.csv \
+		$(BUILD)/bench/stream.csv README.md
+	$(Q)tests/tools/figures.sh stream $(BUILD)/report/stream.csv $(BUILD)/bench/stream.csv | tests/tools/paste.sh host-tools/README.md
 	$(Q){ $(MAKE) -s --no-print-directory bench-boards-table; echo; } | tests/tools/paste.sh boards/README.md
 	$(Q){ echo; $(MAKE) -s --no-print-directory bench-setup-table | sed "s/^./    &/"; echo; } | tests/tools/paste.sh tests/setups/README.md
 
@@ -224,5 +229,5 @@ include tests/tools/fuzz.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
-.PHONY: all tool demo view test test-unit test-fuzz fuzz test-cli test-models test-core test-golden test-device test-rp2040 test-linux test-sanitize test-exhaustive \
+.PHONY: all tool demo view test test-unit test-fuzz fuzz test-cli test-models test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive \
 	bench bench-boards bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-view deps-test deps-linux image run flash install clean help

@@ -22,7 +22,8 @@ struct board {
     const struct hal_core *core; /* the second CPU; null: none */
     void *worker;                /* its memory (glint_worker_memory_needed()), aligned to 4 */
     uint32_t worker_bytes;
-    struct hal_link *link; /* open: every picture is streamed over it; null: over the serial line, when asked for */
+    struct hal_link *link; /* open: every picture is streamed over it, and the display has done with a band when flush
+                            * returns. Null: over the serial line, when asked for */
     uint8_t *last;         /* room for a picture, aligned to 4: only what changes is streamed; null: key frames */
     int (*log)(struct stream *, const char *); /* stream_log: reports go over the link too; or null */
 };

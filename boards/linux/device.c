@@ -115,7 +115,7 @@ static int device_make(struct device *device)
                                    .band_rows = rows,
                                    .format = grey ? HAL_GREY4 : HAL_RGB565,
                                    .pack = grey ? &pack_grey4 : &pack_rgb565,
-                                   .dither = (uint8_t)grey,
+                                   .dither = settings->dithers ? settings->dither : (uint8_t)grey,
                                    .memory = device_part(&memory, MEMORY),
                                    .memory_bytes = MEMORY};
     device->board.band[0] = device_part(&memory, band);

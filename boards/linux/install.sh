@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # install.sh PROGRAM BOARD_FILE PREFIX DESTDIR: the program, its board file, and what makes it a service that needs no
-# root. Below a DESTDIR only files are written; else what there is of systemd and udev is told.
+# root, or one that streams over USB. Below a DESTDIR only files are written; else what there is of systemd and udev is told.
 set -eu
 program=$1 board=$2 prefix=$3 root=$4
 here=$(dirname "$0")
@@ -15,10 +15,12 @@ put() { # mode, file, path
 }
 unit=$(mktemp)
 trap 'rm -f "$unit"' EXIT
-sed "s|@PREFIX@|$prefix|g" "$here/glint-device.service" >"$unit"
 
 put 755 "$program" "$prefix/bin/glint-device"
-put 644 "$unit" "$prefix/lib/systemd/system/glint-device.service"
+for service in glint-device.service glint-device-usb.service; do
+    sed "s|@PREFIX@|$prefix|g" "$here/$service" >"$unit"
+    put 644 "$unit" "$prefix/lib/systemd/system/$service"
+done
 put 644 "$here/70-glint-device.rules" "$prefix/lib/udev/rules.d/70-glint-device.rules"
 put 644 "$here/glint-device.sysusers" "$prefix/lib/sysusers.d/glint-device.conf"
 conf=/etc/glint/board.conf

@@ -21,7 +21,7 @@ LINUX_START_armv6 := $(BUILD)/armv6/boards/linux/start.o
 LINUX_LINK_armv6 := -nostartfiles -no-pie -shared-libgcc -Wl,--no-as-needed -lgcc_s -Wl,--as-needed -Wl,--fatal-warnings
 
 LINUX_SRC := $(filter-out firmware/app/start.c,$(wildcard firmware/app/*.c boards/linux/*.c hal/panels/*.c)) $(CORE_SRC) \
-	$(filter-out hal/linux/gpio_v%,$(wildcard hal/linux/*.c)) hal/host/null.c $(SCENE_DIR)/linux_list.c $(LINUX_SCENES:%=$(SCENE_DIR)/%.c)
+	$(filter-out hal/linux/gpio_v%,$(wildcard hal/linux/*.c)) hal/host/null.c hal/host/numbers.c $(SCENE_DIR)/linux_list.c $(LINUX_SCENES:%=$(SCENE_DIR)/%.c)
 LINUX_FLAGS := -std=c11 -D_GNU_SOURCE $(WARN) $(INCLUDE) $(OPT) -g -ffunction-sections -fdata-sections
 LINUX_GPIOD_FLAGS_native = $(call once,LINUX_GPIOD_CFLAGS,pkg-config --cflags libgpiod)
 LINUX_GPIOD_LIBS_native = $(call once,LINUX_GPIOD_LIBS,pkg-config --libs libgpiod)

@@ -41,6 +41,7 @@ const struct option_text options_text[OPTIONS] = {
     {"scene", "NAME", "to begin with: see --list"},
     {"method", "NAME", "to begin with: see --list; default x"},
     {"budget", "N", "how far a pixel may be off, 1..255 in 1/255"},
+    {"dither", NULL, "ordered dither. Default on where there are 16 greys, else off"},
     {"fps", "N", "pictures a second at the most, 1..1000. Default 60"},
     {"figures", NULL, "figures on the picture. Default on"},
     {"still", NULL, "the animation stands"},
@@ -164,6 +165,9 @@ static int options_show(struct settings *settings, enum option_id option, char *
         return options_method(text, &control->method);
     case OPTION_BUDGET:
         return options_number(text, 1, 255, &control->budget);
+    case OPTION_DITHER:
+        settings->dithers = 1;
+        return values_switch(text, &settings->dither);
     case OPTION_FPS:
         return values_number(text, 1, 1000, &number) && (start->period_us = 1000000 / number);
     case OPTION_FIGURES:

@@ -116,7 +116,7 @@ static int settings_fits(const struct settings *settings)
 }
 
 /* Without a panel. */
-static int settings_bare(const struct settings *settings)
+static int settings_bare(struct settings *settings)
 {
     if (settings->task != SETTINGS_PLAY) {
         fprintf(stderr, "glint-device: --test-pattern and --off want a panel\n");
@@ -124,8 +124,7 @@ static int settings_bare(const struct settings *settings)
     }
     if (!settings->usb)
         return settings_missing("with --panel none, --stream usb");
-    if (settings->keys.count && !settings->wires.chip)
-        return settings_missing("--chip");
+    settings->keys.count = 0; /* pins too: a board's file may name them */
     return -1;
 }
 

@@ -23,6 +23,7 @@ struct settings {
     const struct panel_controller *controller;
     uint16_t width, height, offset_x, offset_y, rotation, refresh; /* as in panel.h */
     uint8_t bgr, invert, whole;                                    /* whole: every row of every picture is sent */
+    uint8_t dither, dithers;                                       /* dithers: it was said */
     uint8_t bare;                                                  /* no panel: a controller is not needed */
     uint8_t usb;                                                   /* pictures go to a USB host */
     const char *udc, *serial;                                      /* of USB; null: not said */

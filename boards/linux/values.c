@@ -1,31 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 #include "boards/linux/values.h"
 
+#include "host/numbers.h"
+
 #include <stddef.h>
 #include <string.h>
 
-/* Digits up to what stands after them; null if there are none or they say more than 32 bits. */
-static const char *values_digits(const char *text, uint32_t *value)
-{
-    uint64_t number = 0;
-    const char *at = text;
-    for (; *at >= '0' && *at <= '9'; at++) {
-        number = number * 10 + (uint64_t)(*at - '0');
-        if (number > UINT32_MAX)
-            return NULL;
-    }
-    *value = (uint32_t)number;
-    return at == text ? NULL : at;
-}
-
 int values_number(const char *text, uint32_t low, uint32_t high, uint32_t *value)
 {
-    uint32_t number;
-    const char *end = values_digits(text, &number);
-    if (!end || *end || number < low || number > high)
-        return 0;
-    *value = number;
-    return 1;
+    return numbers_whole(text, low, high, value);
 }
 
 int values_short(const char *text, uint32_t low, uint32_t high, uint16_t *value)
@@ -39,20 +22,15 @@ int values_short(const char *text, uint32_t low, uint32_t high, uint16_t *value)
 
 int values_size(const char *text, uint16_t *width, uint16_t *height)
 {
-    uint32_t w;
-    const char *x = values_digits(text, &w);
-    if (!x || *x != 'x' || w < 1 || w > 320 || !values_short(x + 1, 1, 320, height))
-        return 0;
-    *width = (uint16_t)w;
-    return 1;
+    return numbers_size(text, 320, width, height);
 }
 
 int values_hertz(const char *text, uint32_t *value)
 {
     uint32_t whole, unit = 1, part = 0;
-    const char *at = values_digits(text, &whole);
+    const char *at = numbers_digits(text, &whole);
     const char *fraction = at && *at == '.' ? at + 1 : NULL;
-    if (!at || (fraction && !(at = values_digits(fraction, &part))))
+    if (!at || (fraction && !(at = numbers_digits(fraction, &part))))
         return 0;
     if (*at == 'k' || *at == 'M')
         unit = *at++ == 'k' ? 1000 : 1000000;

@@ -212,8 +212,8 @@ static int show_wait(const struct app *app)
     return panel ? panel->bus->ops->wait(panel->bus) : 0;
 }
 
-/* Bands that are sent one after the other as they are made, and have left when this returns: share.c knows nothing of
- * their buffers. */
+/* Bands that are sent one after the other as they are made, and have left their buffers when this returns: share.c
+ * knows nothing of it. A board with a link has a display that copies them: the last may still be on the wires. */
 static int show_alone(struct app *app, int (*bands)(struct app *, struct hal_display *))
 {
     struct hal_display *display = app->board->display;
@@ -224,7 +224,7 @@ static int show_alone(struct app *app, int (*bands)(struct app *, struct hal_dis
         result = bands(app, display);
     if (!result && display->ops->frame_end)
         result = display->ops->frame_end(display);
-    return result ? result : show_wait(app);
+    return result || app->board->link ? result : show_wait(app);
 }
 
 int show_frame(struct app *app)

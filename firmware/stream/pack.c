@@ -3,6 +3,8 @@
 
 #include "fixed/fixed.h"
 
+#include <stddef.h>
+
 #define PACK_INLINE static inline __attribute__((always_inline))
 /* A round of the loop writes at most a copy, a pixel of 3 bytes with its head, and 1 byte more for each 512 pixels. */
 #define PACK_MARGIN 6u
@@ -43,17 +45,20 @@ PACK_INLINE const uint8_t *pack_longest(const struct pack_rows *rows, const uint
                                         uint32_t before, unsigned size, unsigned *kind)
 {
     const uint8_t *longest = at, *stop;
-    if (rows->last) {
-        longest = pack_alike(at, end, rows->last + (at - rows->pixels), size);
+    uint32_t pixel = pack_load(at, size), offset = (uint32_t)(at - rows->pixels);
+    if (rows->last && pack_load(rows->last + offset, size) == pixel) {
+        longest = pack_alike(at, end, rows->last + offset, size);
         *kind = PACK_LAST;
+        if ((uint32_t)(longest - at) >= PACK_LONG)
+            return longest;
     }
-    if ((uint32_t)(longest - at) >= PACK_LONG)
-        return longest;
-    if ((uint32_t)(at - rows->pixels) >= rows->stride &&
+    if (offset >= rows->stride && pack_load(at - rows->stride, size) == pixel &&
         (stop = pack_alike(at, end, at - rows->stride, size)) > longest) {
         longest = stop;
         *kind = PACK_ABOVE;
     }
+    if (pixel != before) /* mostly: worth a test of its own */
+        return longest;
     for (stop = at; stop != end && pack_load(stop, size) == before; stop += size)
         ;
     if (stop > longest) {
@@ -68,12 +73,16 @@ PACK_INLINE uint32_t pack_band(const struct pack_rows *rows, unsigned size, pack
 {
     const uint8_t *at = rows->pixels, *end = at + rows->bytes;
     uint8_t *out = rows->out, *single = 0; /* a step without a copy, just written */
+    const uint8_t *brim;                   /* up to it there is room for a round */
     uint32_t before = 0;
+    if (rows->room < PACK_MARGIN)
+        return 0;
+    brim = out + rows->room - PACK_MARGIN;
     while (at != end) {
         unsigned kind = 0;
         const uint8_t *stop = pack_longest(rows, at, end, before, size, &kind);
         uint32_t count = (uint32_t)(stop - at) / size;
-        if ((uint32_t)(out - rows->out) + PACK_MARGIN + (count >> 9) > rows->room)
+        if (brim - out < (ptrdiff_t)(count >> 9))
             return 0;
         if (count) {
             at = stop;
@@ -101,15 +110,20 @@ PACK_INLINE uint8_t *pack_colour(uint8_t *out, int red, int green, int blue, uns
                                  unsigned size)
 {
     int sign = green < 0, r = sign ? -red : red, g = sign ? -green : green, b = sign ? -blue : blue;
-    int with_red = red - (green >> lag) + 8, with_blue = blue - (green >> lag) + 8;
-    if (g != 0 && g <= 2 && (unsigned)r <= 1 && (unsigned)b <= 1) {
+    if (g != 0 && g <= 2 && (unsigned)(r | b) <= 1) {
         *out++ = (uint8_t)(sign << 3 | (g - 1) << 2 | r << 1 | b);
-    } else if (g == 0 && (red | blue) != 0 && (unsigned)(red + 1) <= 2 && (unsigned)(blue + 1) <= 2) {
+        return out;
+    }
+    if (g == 0 && (red | blue) != 0 && (unsigned)(red + 1) <= 2 && (unsigned)(blue + 1) <= 2) {
         int step = (red + 1) * 3 + blue + 1;
         *out++ = (uint8_t)(16 + step - (step > 4));
-    } else if ((unsigned)(green + 32) < 64 && (unsigned)with_red < 16 && (unsigned)with_blue < 16) {
+        return out;
+    }
+    red += 8 - (green >> lag);
+    blue += 8 - (green >> lag);
+    if ((unsigned)(green + 32) < 64 && (unsigned)(red | blue) < 16) {
         *out++ = (uint8_t)(PACK_WIDE | (green & 63));
-        *out++ = (uint8_t)(with_red << 4 | with_blue);
+        *out++ = (uint8_t)(red << 4 | blue);
     } else {
         *out++ = PACK_LITERAL;
         for (; size; size--, pixel >>= 8)

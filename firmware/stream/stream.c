@@ -3,19 +3,22 @@
 
 #include "scene/scene.h"
 
-_Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "raw pixels are sent as they lie in memory");
+_Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "headers and raw pixels are sent as they lie in memory");
 
-static void stream_put16(uint8_t *at, uint32_t value)
-{
-    at[0] = (uint8_t)value;
-    at[1] = (uint8_t)(value >> 8);
-}
-
-static void stream_put32(uint8_t *at, uint32_t value)
-{
-    stream_put16(at, value);
-    stream_put16(at + 2, value >> 16);
-}
+/* A header's members where protocol.h has them. */
+struct stream_header {
+    uint32_t magic;
+    uint8_t version, type;
+    uint16_t sequence;
+    uint32_t time_us;
+    uint16_t x, y, width, height;
+    uint8_t format, codec;
+    uint16_t zero;
+    uint32_t length, crc;
+};
+_Static_assert(sizeof(struct stream_header) == STREAM_HEADER && offsetof(struct stream_header, crc) == STREAM_AT_CRC &&
+                   offsetof(struct stream_header, x) == STREAM_AT_X,
+               "without gaps");
 
 static void stream_out(struct stream *s, const void *bytes, uint32_t size)
 {
@@ -34,32 +37,29 @@ static void stream_add(struct stream *s, const void *bytes, uint32_t size)
 static void stream_head(struct stream *s, enum stream_type type, uint16_t y, uint16_t rows, enum stream_codec codec,
                         uint32_t length)
 {
-    uint8_t head[STREAM_HEADER] = {0};
-    stream_put32(head + STREAM_AT_MAGIC, STREAM_MAGIC);
-    head[STREAM_AT_VERSION] = STREAM_VERSION;
-    head[STREAM_AT_TYPE] = (uint8_t)type;
-    stream_put16(head + STREAM_AT_SEQUENCE, s->sequence);
+    struct stream_header head = {.magic = STREAM_MAGIC,
+                                 .version = STREAM_VERSION,
+                                 .type = (uint8_t)type,
+                                 .sequence = s->sequence,
+                                 .time_us = s->time_us,
+                                 .x = type == STREAM_BEGIN ? s->heard : 0,
+                                 .y = y,
+                                 .width = s->width,
+                                 .height = rows,
+                                 .format = s->pixels->format,
+                                 .codec = (uint8_t)codec,
+                                 .length = length};
+    head.crc = s->crc = scene_crc32(0, &head, STREAM_AT_CRC);
     s->sequence = (uint16_t)((s->sequence + 1) & 0xFFFF);
-    stream_put32(head + STREAM_AT_TIME, s->time_us);
-    stream_put16(head + STREAM_AT_X, type == STREAM_BEGIN ? s->heard : 0);
-    stream_put16(head + STREAM_AT_Y, y);
-    stream_put16(head + STREAM_AT_WIDTH, s->width);
-    stream_put16(head + STREAM_AT_HEIGHT, rows);
-    head[STREAM_AT_FORMAT] = s->pixels->format;
-    head[STREAM_AT_CODEC] = (uint8_t)codec;
-    stream_put32(head + STREAM_AT_LENGTH, length);
-    s->crc = scene_crc32(0, head, STREAM_AT_CRC);
-    stream_put32(head + STREAM_AT_CRC, s->crc);
     s->error = 0;
-    stream_out(s, head, STREAM_HEADER);
+    stream_out(s, &head, STREAM_HEADER);
 }
 
 /* What follows a payload. After an error the other end lacks this frame, and what refers to it would be of no use. */
 static int stream_tail(struct stream *s)
 {
-    uint8_t crc[STREAM_CHECK];
-    stream_put32(crc, s->crc);
-    stream_out(s, crc, STREAM_CHECK);
+    const uint32_t crc = s->crc;
+    stream_out(s, &crc, STREAM_CHECK);
     if (s->error)
         s->key = 1;
     return s->error;
@@ -127,16 +127,13 @@ uint32_t stream_rows(const struct stream *s)
 
 int stream_frame_begin(struct stream *s, const struct stream_frame *frame)
 {
-    uint8_t begin[STREAM_FRAME_BEGIN];
     s->chained = s->last && s->number && !s->key;
     s->key = 0;
     s->bands = 0;
-    stream_put32(begin, s->number);
-    stream_put32(begin + 4, frame->moment_ms);
-    begin[8] = (uint8_t)((s->chained ? 0 : STREAM_KEY) | (frame->paused ? STREAM_PAUSED : 0));
-    begin[9] = frame->scene;
-    begin[10] = frame->method;
-    begin[11] = frame->budget;
+    const uint32_t flags = (s->chained ? 0 : STREAM_KEY) | (frame->paused ? STREAM_PAUSED : 0);
+    const uint32_t begin[STREAM_FRAME_BEGIN / 4] = {s->number, frame->moment_ms,
+                                                    flags | (uint32_t)frame->scene << 8 |
+                                                        (uint32_t)frame->method << 16 | (uint32_t)frame->budget << 24};
     stream_head(s, STREAM_BEGIN, 0, s->height, STREAM_RAW, sizeof begin);
     stream_add(s, begin, sizeof begin);
     return stream_tail(s);
@@ -170,17 +167,14 @@ int stream_band(struct stream *s, const void *pixels, uint16_t y, uint16_t rows)
 
 int stream_frame_end(struct stream *s, const struct stream_statistics *statistics)
 {
-    uint8_t end[STREAM_FRAME_END];
-    const uint32_t words[STREAM_FRAME_END / 4] = {s->number,
-                                                  s->bands,
-                                                  statistics->draw_us,
-                                                  statistics->pack_us,
-                                                  statistics->triangles,
-                                                  statistics->drawn,
-                                                  statistics->dropped,
-                                                  statistics->skipped};
-    for (uint32_t i = 0; i < STREAM_FRAME_END / 4; i++)
-        stream_put32(end + 4 * i, words[i]);
+    const uint32_t end[STREAM_FRAME_END / 4] = {s->number,
+                                                s->bands,
+                                                statistics->draw_us,
+                                                statistics->pack_us,
+                                                statistics->triangles,
+                                                statistics->drawn,
+                                                statistics->dropped,
+                                                statistics->skipped};
     s->number++;
     stream_head(s, STREAM_END, 0, 0, STREAM_RAW, sizeof end);
     stream_add(s, end, sizeof end);

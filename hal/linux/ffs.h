@@ -18,7 +18,7 @@ enum ffs_event {
     FFS_COMES,   /* a host has configured it, anew if there was one */
     FFS_GOES,
     FFS_STOPPED, /* by ffs_stop() */
-    FFS_BROKEN,
+    FFS_BROKEN,  /* the kernel does not say */
 };
 
 /* Descriptors of files, -1: not open. */

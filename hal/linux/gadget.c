@@ -90,7 +90,7 @@ static int gadget_find(struct gadget *gadget, const char *udc, struct problem *p
     return 0;
 }
 
-/* Takes away one that nobody has plugged in. */
+/* Takes away what a crash left, plugged in by nobody. */
 static int gadget_clear(struct problem *problem)
 {
     char holder[GADGET_NAME];
@@ -101,7 +101,7 @@ static int gadget_clear(struct problem *problem)
     return 0;
 }
 
-/* Its folder, in which the kernel puts the others. */
+/* The folder in which the kernel puts all others. */
 static int gadget_begin(struct problem *problem)
 {
     int result = files_make_folder(GADGET);
@@ -109,11 +109,6 @@ static int gadget_begin(struct problem *problem)
         result = files_mount("config", GADGET_CONFIGFS, "configfs");
         if (result == -EPERM)
             return gadget_no(problem, GADGET_CONFIGFS, result);
-        result = files_make_folder(GADGET);
-    }
-    if (result == -EEXIST) {
-        if (gadget_clear(problem) != 0)
-            return HAL_E_IO;
         result = files_make_folder(GADGET);
     }
     if (result == -ENOENT)
@@ -126,13 +121,15 @@ int gadget_open(struct gadget *gadget, const struct gadget_config *config, struc
     *gadget = (struct gadget){.made = 0};
     int error = gadget_find(gadget, config->udc, problem);
     if (!error)
+        error = gadget_clear(problem);
+    if (!error)
         error = gadget_begin(problem);
     if (error)
         return error;
     for (gadget->made = 1; gadget->made < GADGET_PARTS; gadget->made++) {
         const struct gadget_part *part = &gadget_parts[gadget->made];
         int result = gadget_make(part, config);
-        if (result && !(result == -EEXIST && strcmp(part->path, GADGET_FILES) == 0)) {
+        if (result) {
             gadget_no(problem, part->path, result);
             gadget_close(gadget);
             return HAL_E_IO;

@@ -48,6 +48,11 @@ static void panel_place(struct panel *panel)
     panel->top = (uint16_t)(turns & 1 ? x : y);
 }
 
+static uint8_t panel_asked(struct panel *panel)
+{
+    return atomic_load_explicit(&panel->asked, memory_order_relaxed);
+}
+
 /* All registers. Everything a panel can lose is here, so that sending it again mends it. */
 static int panel_registers(struct panel *panel, uint32_t longest)
 {
@@ -63,7 +68,7 @@ static int panel_registers(struct panel *panel, uint32_t longest)
     if (!error && panel->bus->ops->tearing && controller->tearing)
         error = wire_command(panel, controller->tearing, (const uint8_t[]){0}, 1);
     panel->age = 0;
-    panel->repaint = 1;
+    panel->begun = (uint8_t)(panel_asked(panel) - 1);
     return error;
 }
 
@@ -108,8 +113,9 @@ static int panel_begin(struct hal_display *display, uint32_t index, uint32_t del
             error = wire_table(panel, panel->controller->on, 0);
     }
     panel->age = (uint16_t)(panel->age < UINT16_MAX ? panel->age + 1 : UINT16_MAX);
-    panel->all = panel->repaint;
-    panel->repaint = 0;
+    uint8_t asked = panel_asked(panel); /* once: another may come at any time, and is the next picture's */
+    panel->all = asked != panel->begun;
+    panel->begun = asked;
     if (error || !bus->ops->tearing)
         return error ? error : bus->ops->wait(bus);
     bus->ops->tearing(bus);
@@ -184,7 +190,7 @@ static int panel_close(struct hal_display *display, int keep)
 
 void panel_repaint(struct panel *panel)
 {
-    panel->repaint = 1;
+    atomic_store_explicit(&panel->asked, (unsigned char)(panel_asked(panel) + 1), memory_order_relaxed);
 }
 
 const struct hal_display_ops panel_display = {panel_open, panel_begin, panel_flush, panel_end, panel_close};

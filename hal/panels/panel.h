@@ -16,6 +16,8 @@
 #include "bus.h"
 #include "display.h"
 
+#include <stdatomic.h>
+
 /* Tables of commands: a command, the number of its arguments, the arguments; with PANEL_DELAY added to the number, a
  * byte more: units of 5 ms to wait then. */
 #define PANEL_DELAY 0x80
@@ -79,11 +81,13 @@ struct panel {
     uint16_t across, down; /* the picture's size, turned */
     uint16_t left, top;    /* added to a window's address */
     uint16_t row_bytes;
-    uint16_t next; /* the row at which the open window goes on, or PANEL_NO_ROW */
-    uint16_t age;  /* pictures since all registers were sent */
-    uint8_t turns; /* quarter turns */
-    uint8_t shown; /* a picture was: display on, backlight on */
-    uint8_t repaint, all;
+    uint16_t next;      /* the row at which the open window goes on, or PANEL_NO_ROW */
+    uint16_t age;       /* pictures since all registers were sent */
+    uint8_t turns;      /* quarter turns */
+    uint8_t shown;      /* a picture was: display on, backlight on */
+    atomic_uchar asked; /* repaints so far, modulo 256: panel_repaint() alone writes it */
+    uint8_t begun;      /* of these, what a picture has begun for */
+    uint8_t all;        /* the picture under way is sent whole */
 };
 
 #define PANEL_NO_ROW 0xffff
@@ -94,7 +98,7 @@ struct panel {
  * backlight goes on at full when the first picture is complete; afterwards its level is the board's. */
 extern const struct hal_display_ops panel_display;
 
-/* The next picture is sent whole. */
+/* The next picture to begin is sent whole. By one CPU, while another may be at any of the display's calls. */
 void panel_repaint(struct panel *panel);
 
 /* Row y of the self-test's picture, for a program that draws it itself. */

@@ -2,6 +2,7 @@
 #include "glint/cli.h"
 
 #include "glint.h"
+#include "host/numbers.h"
 
 #include <math.h>
 #include <signal.h>
@@ -38,28 +39,9 @@ int cli_refuse(const char *command, const char *help, const char *name, const ch
     return CLI_BAD_USAGE;
 }
 
-/* Digits up to `stop`, without sign or spaces; returns what follows them, or null. */
-static const char *cli_digits(const char *text, uint32_t *value)
-{
-    uint64_t number = 0;
-    const char *at = text;
-    for (; *at >= '0' && *at <= '9'; at++) {
-        number = number * 10 + (uint64_t)(*at - '0');
-        if (number > UINT32_MAX)
-            return NULL;
-    }
-    *value = (uint32_t)number;
-    return at == text ? NULL : at;
-}
-
 bool cli_number(const char *text, uint32_t low, uint32_t high, uint32_t *value)
 {
-    uint32_t number;
-    const char *end = cli_digits(text, &number);
-    if (!end || *end || number < low || number > high)
-        return false;
-    *value = number;
-    return true;
+    return numbers_whole(text, low, high, value);
 }
 
 bool cli_fraction(const char *text, uint8_t *value)
@@ -75,13 +57,7 @@ bool cli_fraction(const char *text, uint8_t *value)
 
 bool cli_size(const char *text, uint16_t *width, uint16_t *height)
 {
-    uint32_t w, h;
-    const char *x = cli_digits(text, &w);
-    if (!x || *x != 'x' || w < 1 || w > GLINT_MAX_SIZE || !cli_number(x + 1, 1, GLINT_MAX_SIZE, &h))
-        return false;
-    *width = (uint16_t)w;
-    *height = (uint16_t)h;
-    return true;
+    return numbers_size(text, GLINT_MAX_SIZE, width, height);
 }
 
 /* Decimal degrees up to `stop`; returns where it stands, or null. */

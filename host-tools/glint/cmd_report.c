@@ -8,6 +8,7 @@
 #include "report/boards.h"
 #include "report/page.h"
 #include "report/powers.h"
+#include "report/streams.h"
 #include "scene/model.h"
 
 #include <errno.h>
@@ -24,26 +25,30 @@ static const char report_help[] =
     "usage: glint report -o FOLDER --costs FILE.csv --flash FILE.csv [OPTION]... SCENE...\n\n"
     "Draws scenes by every method and measures them against per-pixel Phong in double precision. Writes\n"
     "FOLDER/index.html, a page with pictures, differences and plots of cost against accuracy, and\n"
-    "FOLDER/report.csv. `make report` counts the costs and calls this. gnuplot draws the plots.\n\n"
+    "FOLDER/report.csv, with --stream FOLDER/stream.csv too. `make report` counts the costs and calls this. gnuplot\n"
+    "draws the plots.\n\n"
     "  -o, --output FOLDER  made if it is not there\n"
     "      --costs FILE     cpu,scene,method,width,height,format,instructions: of a frame on m3 and on m0plus\n"
     "      --flash FILE     cpu,method,bytes: of a program that draws by that method\n"
     "      --powers FILE    cpu,scene,power,exponent,instructions: of a frame of the first scene by x; with it the\n"
     "                       page compares the forms of the highlight's power at exponents 5, 20, 50 and 200\n"
+    "      --stream SCENE   measures the bytes of its pictures as a stream, for a section of all scenes so given\n"
+    "      --packing FILE   cpu,scene,format,codec,pixels,bytes,instructions: of `make bench-stream`, for that "
+    "section\n"
     "      --boards FILE    board,what,figure,unit,number: of `make bench-boards`; with it the page has their tables\n"
     "      --methods A,B    some of `glint methods`; default all\n"
     "      --help\n";
 
-struct report {
-    const char *folder, *costs_path, *flash_path, *powers_path, *boards_path;
-    const char **methods;
-    unsigned method_count;
-    struct costs costs;
-    char *path[2]; /* the page's and the table's */
-    struct sink sink[2];
-};
+enum report_file { REPORT_PAGE, REPORT_TABLE, REPORT_STREAM, REPORT_FILES };
 
-enum { REPORT_PAGE, REPORT_TABLE, REPORT_FILES };
+struct report {
+    const char *folder, *boards_path;
+    const char **methods, **streams; /* streams: scenes' paths */
+    unsigned method_count, stream_count;
+    struct costs costs; /* its paths are the options' */
+    char *path[REPORT_FILES];
+    struct sink sink[REPORT_FILES];
+};
 
 /* The method whose name is the first `length` characters, unless it is chosen already. */
 static const char *report_method(const struct report *report, const char *text, size_t length)
@@ -81,6 +86,7 @@ static int report_parse(struct report *report, int argc, char **argv)
         {"output", required_argument, NULL, 'o'}, {"costs", required_argument, NULL, 'c'},
         {"flash", required_argument, NULL, 'f'},  {"methods", required_argument, NULL, 'm'},
         {"powers", required_argument, NULL, 'p'}, {"boards", required_argument, NULL, 'b'},
+        {"stream", required_argument, NULL, 's'}, {"packing", required_argument, NULL, 'k'},
         {"help", no_argument, NULL, 'h'},         {0}};
     int option;
     for (unsigned m = 0; m < glint_choice_count; m++)
@@ -91,16 +97,22 @@ static int report_parse(struct report *report, int argc, char **argv)
             report->folder = optarg;
             break;
         case 'c':
-            report->costs_path = optarg;
+            report->costs.frames_path = optarg;
             break;
         case 'f':
-            report->flash_path = optarg;
+            report->costs.flash_path = optarg;
             break;
         case 'p':
-            report->powers_path = optarg;
+            report->costs.powers_path = optarg;
             break;
         case 'b':
             report->boards_path = optarg;
+            break;
+        case 's':
+            report->streams[report->stream_count++] = optarg;
+            break;
+        case 'k':
+            report->costs.streams_path = optarg;
             break;
         case 'm':
             if (!report_choose(report, optarg))
@@ -115,9 +127,14 @@ static int report_parse(struct report *report, int argc, char **argv)
     }
     if (optind == argc)
         return cli_usage(report_name, "at least one scene is needed");
-    if (!report->folder || !report->folder[0] || !report->costs_path || !report->flash_path)
+    if (!report->folder || !report->folder[0] || !report->costs.frames_path || !report->costs.flash_path)
         return cli_usage(report_name, "-o, --costs and --flash are needed");
     return -1;
+}
+
+static unsigned report_files(const struct report *report)
+{
+    return report->stream_count ? REPORT_FILES : REPORT_STREAM;
 }
 
 static int report_problem(const char *path)
@@ -126,15 +143,15 @@ static int report_problem(const char *path)
     return CLI_IO;
 }
 
-/* Opens both files; `made`: the folder was not there. */
+/* Opens its files; `made`: the folder was not there. */
 static int report_open(struct report *report, bool *made)
 {
-    static const char *const names[REPORT_FILES] = {"index.html", "report.csv"};
+    static const char *const names[REPORT_FILES] = {"index.html", "report.csv", "stream.csv"};
     cli_catch_signals();
     *made = mkdir(report->folder, 0777) == 0;
     if (!*made && errno != EEXIST)
         return report_problem(report->folder);
-    for (int i = 0; i < REPORT_FILES; i++) {
+    for (unsigned i = 0; i < report_files(report); i++) {
         size_t size = strlen(report->folder) + strlen(names[i]) + 2;
         report->path[i] = model_alloc(size);
         snprintf(report->path[i], size, "%s/%s", report->folder, names[i]);
@@ -149,7 +166,8 @@ static int report_scenes(struct report *report, const char *const paths[], unsig
     FILE *page = report->sink[REPORT_PAGE].stream, *table = report->sink[REPORT_TABLE].stream;
     struct progress progress;
     int code = CLI_DONE;
-    page_begin(page, paths, count, report->powers_path != NULL, report->boards_path != NULL);
+    page_begin(page, paths, count, report->costs.powers_path != NULL, report->stream_count > 0,
+               report->boards_path != NULL);
     page_csv_head(table);
     progress_begin(&progress, false);
     for (unsigned i = 0; !code && i < count; i++) {
@@ -169,8 +187,11 @@ static int report_scenes(struct report *report, const char *const paths[], unsig
     progress_end(&progress);
     if (!code)
         code = angle_write(page);
-    if (!code && report->powers_path)
+    if (!code && report->costs.powers_path)
         code = powers_write(page, paths[0], &report->costs);
+    if (!code && report->stream_count)
+        code = streams_write(page, report->sink[REPORT_STREAM].stream, report->streams, report->stream_count,
+                             &report->costs);
     if (!code && report->boards_path)
         code = boards_write(page, report->boards_path);
     page_end(page);
@@ -180,12 +201,12 @@ static int report_scenes(struct report *report, const char *const paths[], unsig
 static int report_run(struct report *report, const char *const paths[], unsigned count)
 {
     bool made = false;
-    int code = costs_read(&report->costs, report->costs_path, report->flash_path, report->powers_path);
+    int code = costs_read(&report->costs);
     if (!code)
         code = report_open(report, &made);
     if (!code)
         code = report_scenes(report, paths, count);
-    for (int i = REPORT_FILES - 1; i >= 0; i--) /* the table first: a page is never there without it */
+    for (unsigned i = report_files(report); i-- > 0;) /* the page last: it is never there without the tables */
         if (sink_close(&report->sink[i], !code) != 0 && !code)
             code = report_problem(report->path[i]);
     if (code && made)
@@ -193,7 +214,7 @@ static int report_run(struct report *report, const char *const paths[], unsigned
     if (!code)
         printf("%s: %u scene%s by %u methods\n", report->path[REPORT_PAGE], count, count == 1 ? "" : "s",
                report->method_count);
-    for (int i = 0; i < REPORT_FILES; i++)
+    for (unsigned i = 0; i < REPORT_FILES; i++)
         free(report->path[i]);
     costs_free(&report->costs);
     return code;
@@ -201,11 +222,13 @@ static int report_run(struct report *report, const char *const paths[], unsigned
 
 int cmd_report(int argc, char **argv)
 {
-    struct report report = {.methods = model_alloc(glint_choice_count * sizeof *report.methods)};
+    struct report report = {.methods = model_alloc(glint_choice_count * sizeof *report.methods),
+                            .streams = model_alloc((size_t)argc * sizeof *report.streams)};
     argv[0] = (char *)(uintptr_t)report_name;
     int code = report_parse(&report, argc, argv);
     if (code < 0)
         code = report_run(&report, (const char *const *)argv + optind, (unsigned)(argc - optind));
     free(report.methods);
+    free(report.streams);
     return code;
 }

@@ -15,10 +15,13 @@
 
 const char *const costs_cpu_names[COSTS_CPUS] = {[COSTS_M3] = "m3", [COSTS_M0PLUS] = "m0plus"};
 const char *const costs_cpu_titles[COSTS_CPUS] = {[COSTS_M3] = "M3", [COSTS_M0PLUS] = "M0+"};
+const char *const costs_stream_cpus[COSTS_STREAM_CPUS] = {"m0plus", "m3", "m4"};
+const char *const costs_stream_cpu_titles[COSTS_STREAM_CPUS] = {"M0+", "M3", "M4"};
 
 static const char costs_frames_head[] = "cpu,scene,method,width,height,format,instructions";
 static const char costs_flash_head[] = "cpu,method,bytes";
 static const char costs_powers_head[] = "cpu,scene,power,exponent,instructions";
+static const char costs_streams_head[] = "cpu,scene,format,codec,pixels,bytes,instructions";
 
 /* A line's fields in place; takes a line into `costs`, or returns why it will not do. */
 typedef const char *costs_take(struct costs *costs, char *field[COSTS_FIELDS], unsigned line);
@@ -113,6 +116,41 @@ static const char *costs_take_power(struct costs *costs, char *field[COSTS_FIELD
     return NULL;
 }
 
+/* Scene and format stand in the page as they are. */
+static const char *costs_word(char *out, size_t size, const char *text)
+{
+    if (strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_ ") != strlen(text))
+        return "a name has other characters than letters, digits, space, - and _";
+    return costs_name(out, size, text);
+}
+
+static const char *costs_take_stream(struct costs *costs, char *field[COSTS_FIELDS], unsigned line)
+{
+    struct costs_stream stream;
+    int cpu = cli_choice(field[0], costs_stream_cpus, COSTS_STREAM_CPUS);
+    uint32_t codec;
+    (void)line;
+    if (cpu < 0)
+        return "the cpu is none of m0plus, m3 and m4";
+    const char *problem = costs_word(stream.scene, sizeof stream.scene, field[1]);
+    if (!problem)
+        problem = costs_word(stream.format, sizeof stream.format, field[2]);
+    if (problem)
+        return problem;
+    if (!cli_number(field[3], 1, 2, &codec))
+        return "the codec is 1 or 2";
+    if (!cli_number(field[4], 1, UINT32_MAX, &stream.pixels) || !cli_number(field[5], 1, UINT32_MAX, &stream.bytes) ||
+        !cli_number(field[6], 1, UINT32_MAX, &stream.instructions))
+        return "pixels, bytes and instructions are numbers above 0";
+    stream.cpu = (unsigned)cpu;
+    stream.codec = codec;
+    if (costs_find_stream(costs, stream.cpu, stream.scene, stream.format, codec))
+        return "a second line for this cpu, scene, format and codec";
+    costs->streams = model_grow(costs->streams, costs->stream_count, &costs->stream_room, sizeof stream);
+    costs->streams[costs->stream_count++] = stream;
+    return NULL;
+}
+
 /* Splits at commas; the number of fields, or COSTS_FIELDS if there are as many or more. */
 static unsigned costs_split(char *text, char *field[COSTS_FIELDS])
 {
@@ -164,14 +202,19 @@ static int costs_file(struct costs *costs, const char *path, const char *head, c
     return line && !problem ? CLI_DONE : CLI_BAD_DATA;
 }
 
-int costs_read(struct costs *costs, const char *frames_path, const char *flash_path, const char *powers_path)
+int costs_read(struct costs *costs)
 {
-    *costs = (struct costs){.frames_path = frames_path, .flash_path = flash_path, .powers_path = powers_path};
-    int code = costs_file(costs, frames_path, costs_frames_head, costs_take_frame);
-    if (!code)
-        code = costs_file(costs, flash_path, costs_flash_head, costs_take_flash);
-    if (!code && powers_path)
-        code = costs_file(costs, powers_path, costs_powers_head, costs_take_power);
+    const struct {
+        const char *path, *head;
+        costs_take *take;
+    } files[] = {{costs->frames_path, costs_frames_head, costs_take_frame},
+                 {costs->flash_path, costs_flash_head, costs_take_flash},
+                 {costs->powers_path, costs_powers_head, costs_take_power},
+                 {costs->streams_path, costs_streams_head, costs_take_stream}};
+    int code = CLI_DONE;
+    for (size_t i = 0; !code && i < sizeof files / sizeof *files; i++)
+        if (files[i].path)
+            code = costs_file(costs, files[i].path, files[i].head, files[i].take);
     return code;
 }
 
@@ -180,6 +223,7 @@ void costs_free(struct costs *costs)
     free(costs->frames);
     free(costs->flash);
     free(costs->powers);
+    free(costs->streams);
     *costs = (struct costs){0};
 }
 
@@ -209,6 +253,18 @@ const struct costs_power *costs_find_power(const struct costs *costs, enum costs
         const struct costs_power *power = &costs->powers[i];
         if (power->cpu == cpu && power->form == form && power->exponent == exponent && strcmp(power->scene, scene) == 0)
             return power;
+    }
+    return NULL;
+}
+
+const struct costs_stream *costs_find_stream(const struct costs *costs, unsigned cpu, const char *scene,
+                                             const char *format, unsigned codec)
+{
+    for (size_t i = 0; i < costs->stream_count; i++) {
+        const struct costs_stream *stream = &costs->streams[i];
+        if (stream->cpu == cpu && stream->codec == codec && strcmp(stream->scene, scene) == 0 &&
+            strcmp(stream->format, format) == 0)
+            return stream;
     }
     return NULL;
 }

@@ -5,6 +5,8 @@
  *     cpu,scene,method,width,height,format,instructions    one frame, clear included
  *     cpu,method,bytes                                     flash of a program that draws by that method alone
  *     cpu,scene,power,exponent,instructions                one frame by x with that form of the highlight's power
+ *     cpu,scene,format,codec,pixels,bytes,instructions     to pack and check one frame for a stream (`make
+ * bench-stream`)
  */
 #ifndef COSTS_H
 #define COSTS_H
@@ -37,18 +39,30 @@ struct costs_power {
     uint32_t instructions;
 };
 
+enum { COSTS_STREAM_CPUS = 3 };
+extern const char *const costs_stream_cpus[COSTS_STREAM_CPUS];       /* in the file */
+extern const char *const costs_stream_cpu_titles[COSTS_STREAM_CPUS]; /* to be read */
+
+struct costs_stream {
+    char scene[64], format[64]; /* a format's name, ` dithered` after it if it is */
+    unsigned cpu;               /* in costs_stream_cpus[] */
+    unsigned codec;             /* 1 or 2 */
+    uint32_t pixels, bytes, instructions;
+};
+
 struct costs {
-    const char *frames_path, *flash_path, *powers_path; /* the caller's */
+    const char *frames_path, *flash_path, *powers_path, *streams_path; /* the caller's */
     struct costs_frame *frames;
     struct costs_flash *flash;
     struct costs_power *powers;
-    size_t frame_count, flash_count, power_count, frame_room, flash_room, power_room;
+    struct costs_stream *streams;
+    size_t frame_count, flash_count, power_count, stream_count, frame_room, flash_room, power_room, stream_room;
 };
 
-/* Reads the files, powers_path unless it is null; the format must be grey8, every number above 0 and no line there
- * twice. Returns the exit code of the command line, 0, 1 or 3; after a failure, one line has been printed on stderr. To
- * be given to costs_free() in any case. */
-int costs_read(struct costs *costs, const char *frames_path, const char *flash_path, const char *powers_path);
+/* Reads the files whose paths are set, the rest of `costs` being 0; of frames the format must be grey8, every number is
+ * above 0 and no line there twice. Returns the exit code of the command line, 0, 1 or 3; after a failure, one line has
+ * been printed on stderr. To be given to costs_free() in any case. */
+int costs_read(struct costs *costs);
 void costs_free(struct costs *costs);
 
 /* Null: not in the file. */
@@ -57,5 +71,7 @@ const struct costs_frame *costs_find_frame(const struct costs *costs, enum costs
 const struct costs_flash *costs_find_flash(const struct costs *costs, enum costs_cpu cpu, const char *method);
 const struct costs_power *costs_find_power(const struct costs *costs, enum costs_cpu cpu, const char *scene,
                                            unsigned form, unsigned exponent);
+const struct costs_stream *costs_find_stream(const struct costs *costs, unsigned cpu, const char *scene,
+                                             const char *format, unsigned codec);
 
 #endif

@@ -31,7 +31,7 @@ static const char page_style[] =
     ".3em;text-align:center;border:0}\n"
     "figcaption{font-size:.95rem;margin-top:.4em}\n";
 
-void page_begin(FILE *out, const char *const paths[], unsigned count, bool powers, bool boards)
+void page_begin(FILE *out, const char *const paths[], unsigned count, bool powers, bool streams, bool boards)
 {
     char name[SURVEY_NAME];
     fprintf(out,
@@ -55,8 +55,9 @@ void page_begin(FILE *out, const char *const paths[], unsigned count, bool power
     for (unsigned i = 0; i < count; i++)
         if (survey_name(paths[i], name))
             fprintf(out, "<a href=\"#%s\">%s</a>\n", name, name);
-    fprintf(out, "<a href=\"#angle\">X-shading\u2019s error</a>\n%s%s</nav>\n",
+    fprintf(out, "<a href=\"#angle\">X-shading\u2019s error</a>\n%s%s%s</nav>\n",
             powers ? "<a href=\"#power\">The highlight\u2019s power</a>\n" : "",
+            streams ? "<a href=\"#stream\">As a stream</a>\n" : "",
             boards ? "<a href=\"#boards\">On boards</a>\n" : "");
 }
 

@@ -207,7 +207,8 @@ static void live_change(struct session *s)
         window_fullscreen(l->window, c->fullscreen);
     if (c->rotation != l->done.rotation && l->shown.picture.pixels)
         s->code = s->code ? s->code : window_picture(l->window, &l->shown.picture, c->rotation);
-    if (c->scale || ((c->rotation ^ l->done.rotation) & 1 && !c->fullscreen && l->shown.picture.pixels)) {
+    bool turned = (c->rotation ^ l->done.rotation) & 1, left = l->done.fullscreen && !c->fullscreen;
+    if (c->scale || ((turned || left) && !c->fullscreen && l->shown.picture.pixels)) {
         l->scale = c->scale ? c->scale : l->scale;
         live_size(l);
     }
@@ -223,15 +224,20 @@ static void live_change(struct session *s)
         l->words = true;
 }
 
-static void live_words(struct session *s, const struct status *status)
+static void live_words(struct session *s)
 {
     struct live *l = &s->live;
+    const struct status status = {.port = s->port.name,
+                                  .names = &s->names,
+                                  .picture = l->shown.picture.pixels ? &l->shown.picture : NULL,
+                                  .meter = &l->meter,
+                                  .lost = s->frames.lost};
     struct overlay_text text[OVERLAY_PLACES] = {{.count = 0}};
     char title[128];
-    status_title(status, title, sizeof title);
+    status_title(&status, title, sizeof title);
     window_title(l->window, title);
     if (l->controls.figures)
-        status_figures(status, &text[OVERLAY_TOP]);
+        status_figures(&status, &text[OVERLAY_TOP]);
     if (l->controls.help)
         status_keys(&text[OVERLAY_MIDDLE]);
     else if (!s->port.there)
@@ -253,11 +259,6 @@ static void live_words(struct session *s, const struct status *status)
 bool live_step(struct session *s)
 {
     struct live *l = &s->live;
-    const struct status status = {.port = s->port.name,
-                                  .names = &s->names,
-                                  .picture = l->shown.picture.pixels ? &l->shown.picture : NULL,
-                                  .meter = &l->meter,
-                                  .lost = s->frames.lost};
     /* who reads has waited for bytes */
     bool draw = window_keys(l->window, &l->controls, s->ended || live_holds(s) ? LIVE_WAIT_MS : 0);
     live_buttons(s);
@@ -272,16 +273,17 @@ bool live_step(struct session *s)
     l->words |= l->why != s->port.why;
     l->there = there;
     l->why = s->port.why;
-    bool ended = s->ended && l->waits, shown = live_show(s);
+    /* pictures that come one by one are told one by one */
+    bool single = s->ended || l->controls.paused || !l->shown.picture.pixels, shown = live_show(s);
     if (cli_clock() - l->opened > LIVE_HIDDEN_MS && !l->shown.picture.pixels && l->opened > 0.) {
         live_size(l);
         l->opened = 0.;
     }
-    l->words |= meter_turn(&l->meter, cli_clock());
-    l->words |= status_forget(&l->notes, cli_clock()) || (ended && shown);
-    draw |= shown | l->words;
+    bool figures = meter_turn(&l->meter, cli_clock()), forgotten = status_forget(&l->notes, cli_clock());
+    l->words = l->words || figures || forgotten || (single && shown);
+    draw = draw || shown || l->words;
     if (l->words)
-        live_words(s, &status);
+        live_words(s);
     if (draw)
         window_draw(l->window);
     if (shown)

@@ -69,6 +69,8 @@ static int port_file_send(struct port *port, const uint8_t message[STREAM_HEADER
     for (int tries = 0; sent < STREAM_HEADER && tries < 100 && !cli_interrupted();) {
         struct pollfd there = {.fd = port->file, .events = POLLOUT};
         ssize_t count = poll(&there, 1, 20) > 0 ? write(port->file, message + sent, STREAM_HEADER - sent) : 0;
+        if (count < 0 && errno == EIO) /* unplugged, as who reads will find */
+            return CLI_DONE;
         if (count < 0 && errno != EAGAIN && errno != EINTR)
             return port_problem(port, errno);
         if (count > 0)

@@ -96,6 +96,8 @@ static void session_hello(void *context, const char *text, uint32_t length)
     names_set(&s->names, text, length);
     if (first && s->options->names)
         names_print(&s->names);
+    if (!first && s->live.window) /* which may have asked for others since */
+        return;
     session_choose(s, NAMES_SCENES, s->options->scene, &s->wishes[SESSION_SCENE]);
     session_choose(s, NAMES_METHODS, s->options->method, &s->wishes[SESSION_METHOD]);
 }

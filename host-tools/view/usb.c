@@ -48,8 +48,9 @@ struct usb {
 static void usb_judge(struct usb *u, const struct libusb_transfer *t, bool *stalled)
 {
     if (t->status == LIBUSB_TRANSFER_STALL) {
+        u->stalls += !*stalled; /* all that are in flight end so */
+        u->leaving |= u->stalls > USB_STALLS;
         *stalled = true;
-        u->leaving |= ++u->stalls > USB_STALLS;
     } else if (t->status != LIBUSB_TRANSFER_COMPLETED && t->status != LIBUSB_TRANSFER_CANCELLED) {
         u->leaving = true; /* an unplugged device gives errors before it gives NO_DEVICE */
     }
@@ -135,8 +136,18 @@ static void usb_fill(struct usb *u)
     }
 }
 
+/* A transfer keeps hold of its device even when it has ended, and a device must not outlive its context. */
+static void usb_drop(struct usb_transfer *t)
+{
+    libusb_free_transfer(t->transfer);
+    t->transfer = NULL;
+}
+
 static void usb_leave(struct usb *u)
 {
+    for (unsigned i = 0; i < USB_IN; i++)
+        usb_drop(&u->in[i]);
+    usb_drop(&u->out);
     usb_find_release(&u->device);
     u->leaving = u->in_stalled = u->out_stalled = false;
     u->requests.count = 0;
@@ -145,13 +156,21 @@ static void usb_leave(struct usb *u)
     u->port->there = false;
 }
 
+static void usb_take(struct usb *u, struct usb_transfer *t, uint8_t endpoint, int size, libusb_transfer_cb_fn callback)
+{
+    t->transfer = libusb_alloc_transfer(0);
+    if (t->transfer)
+        libusb_fill_bulk_transfer(t->transfer, u->device.handle, endpoint, t->bytes, size, callback, t, 0);
+    else
+        u->leaving = true;
+}
+
 static void usb_arrive(struct usb *u, unsigned others)
 {
     const struct usb_device *d = &u->device;
     for (unsigned i = 0; i < USB_IN; i++)
-        libusb_fill_bulk_transfer(u->in[i].transfer, d->handle, d->in, u->in[i].bytes, USB_BYTES, usb_received,
-                                  &u->in[i], 0);
-    libusb_fill_bulk_transfer(u->out.transfer, d->handle, d->out, u->out.bytes, STREAM_HEADER, usb_sent, &u->out, 0);
+        usb_take(u, &u->in[i], d->in, USB_BYTES, usb_received);
+    usb_take(u, &u->out, d->out, STREAM_HEADER, usb_sent);
     u->stalls = 0;
     snprintf(u->serial, sizeof u->serial, "%s", d->serial);
     snprintf(u->name, sizeof u->name, "usb:%s", d->serial);
@@ -274,14 +293,6 @@ static void usb_missing(struct port *port)
         usb_tell(u);
 }
 
-static void usb_free(struct usb *u)
-{
-    for (unsigned i = 0; i < USB_IN; i++)
-        libusb_free_transfer(u->in[i].transfer);
-    libusb_free_transfer(u->out.transfer);
-    free(u);
-}
-
 static void usb_close(struct port *port)
 {
     struct usb *u = port->usb;
@@ -298,30 +309,20 @@ static void usb_close(struct port *port)
         usb_leave(u);
     if (u->context)
         libusb_exit(u->context);
-    usb_free(u);
-}
-
-static bool usb_transfer_open(struct usb_transfer *t, struct usb *u, uint8_t *bytes)
-{
-    t->usb = u;
-    t->bytes = bytes;
-    t->transfer = libusb_alloc_transfer(0);
-    return t->transfer;
+    free(u);
 }
 
 int usb_open(struct port *port, const char *serial)
 {
     static const struct port_ops ops = {usb_read, usb_send, usb_missing, usb_close};
     struct usb *u = calloc(1, sizeof *u);
-    bool good = u && usb_transfer_open(&u->out, u, u->out_bytes);
-    for (unsigned i = 0; good && i < USB_IN; i++)
-        good = usb_transfer_open(&u->in[i], u, u->in_bytes[i]);
-    if (!good) {
+    if (!u) {
         fprintf(stderr, "usb: out of memory\n");
-        if (u)
-            usb_free(u);
         return CLI_IO;
     }
+    u->out = (struct usb_transfer){.usb = u, .bytes = u->out_bytes};
+    for (unsigned i = 0; i < USB_IN; i++)
+        u->in[i] = (struct usb_transfer){.usb = u, .bytes = u->in_bytes[i]};
     u->port = port;
     u->received = (struct queue){.bytes = u->received_bytes, .room = sizeof u->received_bytes};
     u->requests = (struct queue){.bytes = u->request_bytes, .room = sizeof u->request_bytes};

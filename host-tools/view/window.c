@@ -134,7 +134,10 @@ bool window_keys(struct window *w, struct controls *controls, int wait_ms)
     SDL_Event event;
     bool changed = false;
     (void)w;
-    for (int there = SDL_WaitEventTimeout(&event, wait_ms); there; there = SDL_PollEvent(&event))
+    /* SDL_WaitEventTimeout() wakes itself by messages that an X server may find when the window is gone: an error */
+    if (wait_ms)
+        SDL_Delay((uint32_t)wait_ms);
+    while (SDL_PollEvent(&event))
         changed |= window_event(&event, controls);
     return changed;
 }

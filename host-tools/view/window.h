@@ -13,7 +13,7 @@ struct window;
 int window_open(struct window **window);
 void window_close(struct window *window); /* null: does nothing */
 
-/* Waits at most so long for keys, and does what they say; true if the window must be drawn anew. */
+/* Waits so long, then does what the keys since the last call say; true if the window must be drawn anew. */
 bool window_keys(struct window *window, struct controls *controls, int wait_ms);
 
 /* Makes the window as large as a picture of this size takes, a pixel being `scale` wide; 0: about half the screen. */

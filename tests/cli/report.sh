@@ -41,14 +41,21 @@ boards() {
     echo l,st 2x2,bytes,bytes,77
     echo l,st 2x2,wire,us,14700
 }
+packing() {
+    echo cpu,scene,format,codec,pixels,bytes,instructions
+    for cpu in m0plus m3 m4; do
+        for codec in 1 2; do echo "$cpu,t,rgb565 dithered,$codec,1000,77$codec,${#cpu}${codec}500"; done
+    done
+}
 begin() { # an empty folder with good costs
     fresh
     costs >costs.csv
     flash >flash.csv
     powers >powers.csv
     boards >boards.csv
+    packing >packing.csv
 }
-report=("$glint" report --costs costs.csv --flash flash.csv --powers powers.csv --boards boards.csv --methods 'gouraud,x,phong' -o out)
+report=("$glint" report --costs costs.csv --flash flash.csv --powers powers.csv --boards boards.csv --packing packing.csv --stream "$tiny" --methods 'gouraud,x,phong' -o out)
 count() { grep -o -- "$2" "$1" | wc -l; }
 equal() { # NAME VALUE WANTED
     if [ "$2" = "$3" ]; then say ok "$1"; else say FAIL "$1" "'$2', not '$3'"; fi
@@ -57,7 +64,7 @@ equal() { # NAME VALUE WANTED
 begin
 run 'a report is made' 0 "${report[@]}" "$tiny"
 matches 'it says of what' "$top/out" '^out/index\.html: 1 scene by 3 methods$'
-equal 'a page and a table are all there is' "$(ls -A out | tr '\n' ' ')" 'index.html report.csv '
+equal 'a page and two tables are all there is' "$(ls -A out | tr '\n' ' ')" 'index.html report.csv stream.csv '
 
 # the table
 equal 'the table has a line a method, cheapest first' "$(cut -d , -f 2 out/report.csv | tr '\n' ' ')" 'method gouraud phong x '
@@ -80,7 +87,7 @@ run 'the more exact has the higher PSNR' 0 awk -F, '
 # the page
 equal 'the page shows the truth, three pictures and three differences' "$(count out/index.html '<img ')" 7
 equal 'all of them inside it' "$(count out/index.html 'src="data:image/png;base64,')" 7
-equal 'and two plots, and two of the angle' "$(count out/index.html '<svg')" 4
+equal 'and two plots, two of the angle and two of streams' "$(count out/index.html '<svg')" 6
 equal 'it runs and loads nothing' "$(grep -ciE '<script|<link|<iframe|@import|url\(.?http|src="[^d]' out/index.html)" 0
 matches 'it fits a phone' out/index.html '<meta name="viewport" content="width=device-width'
 matches 'and follows light or dark' out/index.html 'prefers-color-scheme:dark'
@@ -111,6 +118,24 @@ equal 'two boards have two tables each, Linux one' "$(grep -cE '^<div class="wid
 matches 'with its times in ms' out/index.html '<tr><td>st 2x2</td><td>12\.4</td><td>12\.4</td><td>12\.6</td><td>93</td><td>77</td><td>14\.7</td></tr>'
 matches 'of pictures' out/index.html '<tr><td>b x</td><td>1\.25</td><td>1\.25</td><td>1\.23</td><td>1\.27</td><td>7</td><td>7</td></tr>'
 matches 'and of the program' out/index.html '<tr><td>program</td><td>55</td><td>57</td><td>56</td><td>55</td><td>58</td><td>55</td><td>510</td></tr>'
+
+# as a stream: the page has what the table has, and the table what a stream has
+matches 'the page has what a stream takes' out/index.html \
+    "$(awk -F, '$2 == "rgb565 dithered" { print "<tr><td>tiny</td><td>" $7 "</td><td>" $9 "</td><td>" $11 "</td><td>" $12 "</td>" }' out/stream.csv)"
+equal 'in each of six kinds' "$(grep -c '^<tr><td>tiny</td>' out/index.html)" 6
+equal 'and of the table' "$(cut -d , -f 1 out/stream.csv | sort | uniq -c | tr -s ' ' ',' | tr '\n' ' ')" ',1,scene ,6,tiny '
+matches 'what packing costs is there too' out/index.html \
+    '<tr><td>t, rgb565 dithered</td><td>2</td><td>772</td><td>62\.5</td><td>22\.5</td><td>22\.5</td><td>0\.06</td><td>0\.02</td><td>0\.02</td></tr>'
+# a picture's bytes: those of a stream of two less those of the first alone; tiny's loop is 2 s
+stream() { "$glint" render "$tiny" --size 240x240 --format rgb565 --dither --band-rows 60 --fps 50 --stream - "$@" | wc -c; }
+change=10 alone=10
+for moment in $(seq 0 100 1900); do
+    first=$(stream --time "$moment" --frames 1)
+    change=$((change + $(stream --time "$moment" --frames 2) - first))
+    alone=$((alone + $(stream --time "$moment" --frames 2 --key 1) - first))
+done
+equal 'the table has the means of what is sent' "$(awk -F, '$2 == "rgb565 dithered" { print $9, $11 }' out/stream.csv)" \
+    "$((alone / 20)) $((change / 20))"
 
 # an old report gives way only to a whole one
 cp -r out old
@@ -151,6 +176,11 @@ bad 'figures cut off' boards.csv '$d' '^boards\.csv:44: figures are missing at i
 bad 'a name that a page cannot carry' boards.csv '2s/m/<m>/' '^boards\.csv:2: a name is '
 bad 'a figure that is no number' boards.csv '3s/,57/,x/' '^boards\.csv:3: the number is none$'
 bad 'columns too few' boards.csv '2s/,bytes//' '^boards\.csv:2: the columns are board,what,figure,unit,number$'
+bad 'packing on a cpu that there is not' packing.csv '2s/m0plus/m7/' '^packing\.csv:2: the cpu is none of m0plus, m3 and m4$'
+bad 'packing by a codec that there is not' packing.csv '3s/,2,/,3,/' '^packing\.csv:3: the codec is 1 or 2$'
+bad 'packing of nothing' packing.csv '3s/1000/0/' '^packing\.csv:3: pixels, bytes and instructions are numbers above 0$'
+bad 'packing of a scene that a page cannot carry' packing.csv '3s/,t,/,<t>,/' '^packing\.csv:3: a name has other characters '
+bad 'packing counted twice' packing.csv '3p' '^packing\.csv:4: a second line for this cpu, scene, format and codec$'
 bad 'boards without a head' boards.csv 1d '^boards\.csv:1: the columns are board,what,'
 bad 'a line without end' flash.csv '5s/$/'"$(printf %300s | tr ' ' x)/" '^flash\.csv:5: no end of line'
 begin
@@ -181,7 +211,12 @@ run 'an ideal scene beside it is the truth' 0 "${report[@]}" tiny.json
 matches 'which the page says' out/index.html 'Its truth is tiny-ideal'
 begin
 run 'without powers there is a report' 0 "$glint" report --costs costs.csv --flash flash.csv --methods gouraud -o out "$tiny"
-equal 'without that section, nor the boards' "$(count out/index.html 'id="power"\|#power\|#boards\|id="boards"')" 0
+equal 'without that section, nor streams and boards' "$(count out/index.html 'id="power"\|#power\|#boards\|id="boards"\|stream')" 0
+equal 'nor a table of streams' "$(ls -A out | tr '\n' ' ')" 'index.html report.csv '
+begin
+run 'a stream of a scene that is not there is none' 3 "${report[@]}" --stream no.json "$tiny"
+matches 'and it is named' "$top/err" '^no\.json: '
+equal 'nothing is left' "$(ls -d out 2>&1)" "ls: cannot access 'out': No such file or directory"
 begin
 echo '{}' >empty.json
 run 'a scene without a camera is refused' 1 "${report[@]}" empty.json

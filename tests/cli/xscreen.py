@@ -30,13 +30,16 @@ class Screen:
         self.folder = folder
         back, front = os.pipe()
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(front), "-screen", "0", f"{size}x{size}x24", "-fbdir", folder, "-nolisten", "tcp"],
+            ["Xvfb", "-displayfd", str(front), "-screen", "0", f"{size}x{size}x24", "-fbdir", folder, "-nolisten", "tcp", "-noreset"],
             pass_fds=[front], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(front)
         with os.fdopen(back) as told:
             self.name = ":" + told.readline().strip()
-        self.environment = dict(os.environ, DISPLAY=self.name, SDL_RENDER_DRIVER="software")
+        self.environment = dict(os.environ, DISPLAY=self.name, SDL_RENDER_DRIVER="software", SDL_FRAMEBUFFER_ACCELERATION="0")
         self.environment.pop("SDL_VIDEODRIVER", None)
+        with open(f"{folder}/leaks", "w", encoding="ascii") as file:  # what SDL's own libraries keep
+            file.write("leak:libdbus-1\n")
+        self.environment["LSAN_OPTIONS"] = f"suppressions={folder}/leaks:print_suppressions=0"
 
     def close(self):
         self.server.terminate()

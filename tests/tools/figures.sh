@@ -1,7 +1,11 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# figures.sh GLINT BENCH.CSV REPORT.CSV README: writes README's figures of quality and cost anew, between its figure marks.
-# figures.sh stack: prints the one of them that says how much stack the renderer takes, from $BUILD's objects.
+# figures.sh GLINT BENCH.CSV REPORT.CSV TRAFFIC.CSV PACKING.CSV README: writes README's figures of quality and cost anew,
+# between its figure marks.
+# figures.sh stream TRAFFIC.CSV PACKING.CSV: prints what pictures take as a stream, for host-tools/README.md. Both are
+# stream.csv, that of build/report and that of build/bench.
+# figures.sh stack: prints the one of them that says how much stack the renderer takes, from $BUILD's objects; carried: that
+# of streams, as `stream`.
 set -eu
 
 stack() {
@@ -16,11 +20,56 @@ stack() {
     echo "The worst stack is $bytes bytes, of \`$entry\` on $(echo $where | sed 's/plus/+/; s/m/M/')" \
         "(\`make stack\`); \`make size\` prints flash."
 }
-if [ "$1" = stack ]; then
-    stack
+thousands='function t(n) { n += 0; return n < 1000 ? n : int(n / 1000) "," sprintf("%03d", n % 1000) }'
+
+stream() { # TRAFFIC.CSV PACKING.CSV
+    echo
+    echo "Bytes a picture as a stream, headers included: alone (codec 1) / as sent, against the picture 20 ms before (codec 2). The"
+    echo "mean of 20 pictures over a loop, by x, in four bands; a scene that stands still is given a turn in 4 s. \`make report\`"
+    echo "has more: changed rows, the longest picture, pictures a second, and what to choose."
+    echo
+    echo "| scene | RGB565 240×240 | dithered | GREY8 240×240 | GREY4 240×240, dithered | GREY4 128×64, dithered |"
+    echo "|---|---|---|---|---|---|"
+    awk -F, "$thousands"'
+        NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i; next }
+        { key = $1 "," $2 "," $3; raw[$2 "," $3] = $column["raw"]; cell[key] = t($column["alone"]) " / " t($column["change"]) }
+        !($1 in seen) { seen[$1] = 1; scene[++scenes] = $1 }
+        END {
+            kinds = split("rgb565,240;rgb565 dithered,240;grey8,240;grey4 dithered,240;grey4 dithered,128", kind, ";")
+            printf "| any, raw (codec 0) |"
+            for (k = 1; k <= kinds; k++) printf " %s |", t(raw[kind[k]])
+            for (s = 1; s <= scenes; s++) {
+                printf "\n| `%s` |", scene[s]
+                for (k = 1; k <= kinds; k++) printf " %s |", cell[scene[s] "," kind[k]]
+            }
+            printf "\n"
+        }' "$1"
+    echo
+    echo "What it takes to pack and check a picture of 57,600 pixels in bands of 30 rows, codec 2 with the copy for the next one (\`make bench-stream\`):"
+    echo
+    tests/tools/bench_stream.sh "$2" markdown
+    echo
+}
+carried() { # the same, in three lines for README
+    awk -F, "$thousands"'
+        FNR == 1 { file++ }
+        file == 1 && FNR == 1 { for (i = 1; i <= NF; i++) column[$i] = i }
+        file == 1 && $1 == "torus800" && $3 == 240 { sent[$2] = $column["change"]; raw[$2] = $column["raw"] }
+        file == 2 && $2 == "bench-torus288" && $3 == "rgb565" && $4 == 2 { pixel[$1] = $7 / $5 }
+        END {
+            printf "As a stream ([PROTOCOL.md](firmware/stream/PROTOCOL.md)) a torus of 800 triangles, turning, 240×240 RGB565, takes %s bytes a\n",
+                t(sent["rgb565"])
+            printf "picture, dithered %s, of %s: %.0f and %.0f pictures a second over 1 MB/s, full-speed USB. To pack them takes %.0f instructions a pixel\n",
+                t(sent["rgb565 dithered"]), t(raw["rgb565"]), 1e6 / sent["rgb565"], 1e6 / sent["rgb565 dithered"], pixel["m3"]
+            printf "on M3, %.0f on M0+ (`make report`, `make bench-stream`; more in [host-tools/README.md](host-tools/README.md#streams-and-glint-view)).\n",
+                pixel["m0plus"]
+        }' "$1" "$2"
+}
+if [ "$1" = stack ] || [ "$1" = stream ] || [ "$1" = carried ]; then
+    "$@"
     exit
 fi
-glint=$1 csv=$2 report=$3 readme=$4
+glint=$1 csv=$2 report=$3 traffic=$4 packing=$5 readme=$6
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -109,6 +158,8 @@ quality() { # scene exponent command method
             printf "%.2f on M4.\n", extra["m4"] / 1e6
         }' "$csv"
     stack
+    echo
+    carried "$traffic" "$packing"
     echo
 } >"$work/figures"
 tests/tools/paste.sh "$readme" <"$work/figures"

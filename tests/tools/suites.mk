@@ -98,11 +98,13 @@ $(BUILD)/report/flash.csv: $(REPORT_CPUS:%=$(BUILD)/%/report.elf) tests/tools/fl
 
 REPORT_JSON := $(foreach s,$(REPORT_SCENES),$(call scene_file,$(s)))
 REPORT_IDEAL := $(wildcard $(REPORT_JSON:.json=-ideal.json))
+STREAM_JSON := $(STREAM_SCENES:%=tests/scenes/%.json)
 # With the boards' section once `make bench-boards` has measured.
 REPORT_BOARDS := $(wildcard $(BUILD)/bench/boards.csv)
-$(BUILD)/report/index.html: $(GLINT) $(REPORT_BOARDS) $(BUILD)/report/costs.csv $(BUILD)/report/flash.csv $(BUILD)/report/powers.csv $(REPORT_JSON) $(REPORT_IDEAL)
+$(BUILD)/report/index.html: $(GLINT) $(REPORT_BOARDS) $(BUILD)/report/costs.csv $(BUILD)/report/flash.csv $(BUILD)/report/powers.csv $(BUILD)/bench/stream.csv \
+		$(REPORT_JSON) $(REPORT_IDEAL) $(STREAM_JSON)
 	$(Q)$(GLINT) report -o $(@D) --costs $(@D)/costs.csv --flash $(@D)/flash.csv --powers $(@D)/powers.csv \
-		$(REPORT_BOARDS:%=--boards %) $(REPORT_JSON)
+		--packing $(BUILD)/bench/stream.csv $(STREAM_JSON:%=--stream %) $(REPORT_BOARDS:%=--boards %) $(REPORT_JSON)
 
 report-page: $(BUILD)/report/index.html
 	@echo "$<"
@@ -115,9 +117,13 @@ bench-setup-table: $(CPUS:%=$(BUILD)/bench/setup-%.csv) $(BUILD)/bench/setup $(B
 	@tests/tools/bench_setup.sh $(BUILD)/bench/setup_count $(BUILD)/bench/setup $(BUILD)/bench/setup_real \
 		$(foreach c,$(CPUS),$(c)=$(BUILD)/bench/setup-$(c).csv)
 
-bench-stream-table: $(CPUS:%=$(BUILD)/%/stream.elf)
-	@echo "cpu, scene, format, codec, bytes a 240x240 picture, instructions to pack and check it"
-	@$(foreach c,$(CPUS),$(call QEMU,$(c)) -icount shift=0 -kernel $(BUILD)/$(c)/stream.elf | sed 's/^/$(c),/; s/,/, /g' &&) :
+$(BUILD)/bench/stream.csv: $(CPUS:%=$(BUILD)/%/stream.elf)
+	@mkdir -p $(@D)
+	@{ echo cpu,scene,format,codec,pixels,bytes,instructions; \
+	$(foreach c,$(CPUS),$(call QEMU,$(c)) -icount shift=0 -kernel $(BUILD)/$(c)/stream.elf | sed 's/^/$(c),/' &&) :; } >$@.part && mv $@.part $@
+
+bench-stream-table: $(BUILD)/bench/stream.csv
+	@tests/tools/bench_stream.sh $<
 
 profile-run: $(BENCH_ELF)
 	@tests/tools/profile.sh "$(call QEMU,$(or $(CPU),m4)) -kernel" $(BUILD)/$(or $(CPU),m4)/bench.elf \

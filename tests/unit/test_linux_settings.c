@@ -66,7 +66,7 @@ static void options_reach_their_settings(void **state)
                            "--size 135x240 --rotate 270 --bgr --invert=off --offset-x 52 --offset-y 40 --whole=on "
                            "--refresh 0 --spi-mode 3 --speed 62.5M --reset none --backlight !light "
                            "--keys up=1,y=key-y --keys-high --scene other --method phong --budget 9 --fps 50 "
-                           "--figures=off --still --time 1500 --step 40 --frames 7"),
+                           "--dither --figures=off --still --time 1500 --step 40 --frames 7"),
                      -1);
     assert_string_equal(told, "");
     assert_ptr_equal(settings.controller, &panel_st7789);
@@ -94,6 +94,8 @@ static void options_reach_their_settings(void **state)
     assert_int_equal(settings.start.control.scene, 1);
     assert_string_equal(glint_choices[settings.start.control.method].name, "phong");
     assert_int_equal(settings.start.control.budget, 9);
+    assert_int_equal(settings.dithers, 1);
+    assert_int_equal(settings.dither, 1);
     assert_int_equal(settings.start.period_us, 20000);
     assert_int_equal(settings.start.control.figures, 0);
     assert_int_equal(settings.start.control.running, 0);
@@ -101,6 +103,31 @@ static void options_reach_their_settings(void **state)
     assert_int_equal(settings.start.step_us, 40000);
     assert_int_equal(settings.start.pictures, 7);
     assert_int_equal(settings.task, SETTINGS_PLAY);
+}
+
+static void pictures_go_over_usb_with_a_panel_or_without(void **state)
+{
+    (void)state;
+    assert_int_equal(reads(LEAST), -1);
+    assert_int_equal(settings.usb, 0);
+    assert_int_equal(settings.dithers, 0);
+    assert_int_equal(reads(LEAST "--stream usb --udc fe980000.usb --usb-serial A-1"), -1);
+    assert_int_equal(settings.usb, 1);
+    assert_int_equal(settings.bare, 0);
+    assert_string_equal(settings.udc, "fe980000.usb");
+    assert_string_equal(settings.serial, "A-1");
+    assert_int_equal(reads("--board /dev/null --stream usb --panel none --chip c --keys a=1"), -1);
+    assert_string_equal(told, "");
+    assert_int_equal(settings.bare, 1);
+    assert_int_equal(settings.width, 240);
+    assert_int_equal(settings.height, 240);
+    assert_int_equal(settings.keys.count, 0); /* no pins are touched */
+    assert_null(settings.udc);
+    assert_null(settings.serial);
+    assert_int_equal(reads("--board /dev/null --stream usb --panel none --size 320x200"), -1);
+    assert_int_equal(settings.width, 320);
+    assert_int_equal(reads(LEAST "--panel none --panel st7789"), -1);
+    assert_int_equal(settings.bare, 0);
 }
 
 static void a_glass_is_its_panel_s_usual_one_unless_said(void **state)
@@ -116,15 +143,45 @@ static void a_glass_is_its_panel_s_usual_one_unless_said(void **state)
 static void values_that_will_not_do_are_refused_with_what_would(void **state)
 {
     static const char *const bad[] = {
-        "--panel st7735",   "--size 0x5",       "--size 240",         "--size 321x1",
-        "--rotate 45",      "--bgr=maybe",      "--offset-x 320",     "--offset-y -1",
-        "--refresh 65536",  "--spi-mode 4",     "--speed 0",          "--speed 62.5",
-        "--speed 5G",       "--speed 1.5x",     "--speed 99999M",     "--dc !",
-        "--keys up",        "--keys up=",       "--keys jump=4",      "--sck !4",
-        "--scene nothing",  "--method nothing", "--budget 0",         "--budget 256",
-        "--fps 0",          "--fps 1001",       "--figures=no",       "--time x",
-        "--step 0",         "--frames 0",       "--speed 1.1234567M", "--frames 10000000",
-        "--keys up=1,,a=2", "--test-pattern=2", "--speed 4.M",
+        "--panel st7735",
+        "--size 0x5",
+        "--size 240",
+        "--size 321x1",
+        "--rotate 45",
+        "--bgr=maybe",
+        "--offset-x 320",
+        "--offset-y -1",
+        "--refresh 65536",
+        "--spi-mode 4",
+        "--speed 0",
+        "--speed 62.5",
+        "--speed 5G",
+        "--speed 1.5x",
+        "--speed 99999M",
+        "--dc !",
+        "--keys up",
+        "--keys up=",
+        "--keys jump=4",
+        "--sck !4",
+        "--scene nothing",
+        "--method nothing",
+        "--budget 0",
+        "--budget 256",
+        "--fps 0",
+        "--fps 1001",
+        "--figures=no",
+        "--time x",
+        "--step 0",
+        "--frames 0",
+        "--speed 1.1234567M",
+        "--frames 10000000",
+        "--keys up=1,,a=2",
+        "--test-pattern=2",
+        "--speed 4.M",
+        "--stream tcp",
+        "--udc a/b",
+        "--usb-serial \x7f",
+        "--usb-serial \xc3\xa4",
     };
     (void)state;
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
@@ -151,6 +208,9 @@ static void what_is_needed_is_asked_for(void **state)
         {LEAST "--panel ssd0323 --size 63x64", "have to be even"},
         {LEAST "--panel ssd0323 --bgr", "no colours"},
         {LEAST "more", "'more' is no option"},
+        {"--board /dev/null --panel none", "with --panel none, --stream usb is needed"},
+        {"--board /dev/null --panel none --stream usb --off", "want a panel"},
+        {"--board /dev/null --panel none --stream usb --test-pattern", "want a panel"},
     };
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -247,6 +307,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(options_reach_their_settings),
+        cmocka_unit_test(pictures_go_over_usb_with_a_panel_or_without),
         cmocka_unit_test(a_glass_is_its_panel_s_usual_one_unless_said),
         cmocka_unit_test(values_that_will_not_do_are_refused_with_what_would),
         cmocka_unit_test(what_is_needed_is_asked_for),

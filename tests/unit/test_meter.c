@@ -59,6 +59,9 @@ static void latency_is_from_a_request_to_the_first_picture_that_answers(void **s
     p.echo = 9; /* never sent */
     meter_shown(&m, &p, 500.);
     assert_int_equal(tenths(m.latency_ms), 300);
+    p.echo = 0; /* it has begun anew */
+    meter_shown(&m, &p, 600.);
+    assert_int_equal(tenths(m.latency_ms), 300);
 }
 
 static void only_the_last_requests_are_remembered(void **state)

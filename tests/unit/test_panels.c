@@ -2,6 +2,10 @@
 #include "panel_case.h"
 #include "panels/changes.h"
 
+#include <pthread.h>
+#include <sched.h>
+#include <stdatomic.h>
+
 static const unsigned rotations[] = {0, 90, 180, 270};
 
 /* An SSD0323 at quarter turns takes bands of even rows. */
@@ -160,6 +164,47 @@ static void repaint_sends_everything_once(void **state)
     assert_int_equal(case_wrong(0, 0), 0);
     assert_int_equal(case_show(16, 0), 0);
     assert_int_equal(panel->sent, 0);
+}
+
+static atomic_uint begun, whole, ending;
+
+/* What a second CPU does with a display. */
+static void *begin_pictures(void *argument)
+{
+    struct panel *panel = argument;
+    while (!ending) {
+        assert_int_equal(panel_display.frame_begin(&panel->display, 0, 0), 0);
+        whole += panel->all;
+        begun++;
+    }
+    return NULL;
+}
+
+/* Asked for anywhere in a picture's beginning, it is that picture or the next one, and one alone. */
+static void repaint_is_not_lost_to_a_second_cpu(void **state)
+{
+    (void)state;
+    pthread_t second;
+    struct panel *panel = case_prepare(&glasses[5], 0);
+    panel->bus->ops = &wires_bare;
+    assert_int_equal(case_open(), 0);
+    assert_int_equal(panel_display.frame_begin(&panel->display, 0, 0), 0);
+    begun = whole = ending = 0;
+    assert_int_equal(pthread_create(&second, NULL, begin_pictures, panel), 0);
+    for (unsigned i = 0; i < 4000; i++) {
+        panel_repaint(panel);
+        atomic_thread_fence(memory_order_seq_cst);
+        unsigned before = begun;
+        while (begun - before < 2) /* the first may have been under way */
+            sched_yield();
+        if (whole != i + 1) {
+            print_message("after %u repaints %u pictures were whole\n", i + 1, (unsigned)whole);
+            break;
+        }
+    }
+    ending = 1;
+    pthread_join(second, NULL);
+    assert_int_equal(whole, 4000);
 }
 
 static void panel_that_lost_its_registers_is_mended(void **state)
@@ -391,6 +436,7 @@ int main(void)
         cmocka_unit_test(changed_rows_alone_are_sent_by_checksums),
         cmocka_unit_test(near_changes_are_sent_together),
         cmocka_unit_test(repaint_sends_everything_once),
+        cmocka_unit_test(repaint_is_not_lost_to_a_second_cpu),
         cmocka_unit_test(panel_that_lost_its_registers_is_mended),
         cmocka_unit_test(panel_is_dark_before_the_first_picture_and_after_the_last),
         cmocka_unit_test(wires_that_a_board_lacks_are_not_needed),

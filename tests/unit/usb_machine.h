@@ -115,6 +115,7 @@ void libusb_exit(libusb_context *context)
     assert_false(machine.in_callback);
     assert_int_equal(machine.handles_open, 0);
     assert_int_equal(machine.lists_open, 0);
+    assert_int_equal(machine.transfers, 0); /* each holds the device that it was last submitted to */
     machine.contexts_open--;
 }
 
