@@ -15,7 +15,7 @@ static uint32_t memory[48 * 1024 / 4], bands[2][WIDTH * BAND_ROWS / 2 + 1], now_
 static uint16_t last[WIDTH * HEIGHT];
 static struct hal_display display = {&null_display};
 static struct frames viewer;
-static enum hal_link_frame link_next; /* what the link will do with a picture */
+static bool link_takes; /* the next picture */
 
 uint32_t input_buttons(void)
 {
@@ -40,13 +40,11 @@ static int show(void *context, const void *bytes, size_t size)
     return 0;
 }
 
-static enum hal_link_frame link_begin(struct hal_link *link, uint32_t *skipped)
+static uint32_t link_begin(struct hal_link *link, uint32_t *skipped)
 {
     (void)link;
-    *skipped += link_next == HAL_LINK_LEAVES;
-    if (link_next == HAL_LINK_TAKES_FIRST)
-        frames_restart(&viewer);
-    return link_next;
+    *skipped += !link_takes;
+    return link_takes;
 }
 
 static const struct hal_link_ops link_ops = {.begin = link_begin, .write = show};
@@ -62,8 +60,8 @@ static void in_range(const struct app *app)
 /* Draws the moment. */
 static void draw(struct app *app)
 {
-    bool goes = app->board->link ? link_next != HAL_LINK_LEAVES : app->remote.stream.key;
-    uint16_t heard = app->board->link && link_next == HAL_LINK_TAKES_FIRST ? 0 : app->remote.stream.heard;
+    bool goes = app->board->link ? link_takes : app->remote.stream.key;
+    uint16_t heard = app->remote.stream.heard;
     uint32_t pictures = viewer.pictures;
     const struct frames_picture *p = &viewer.picture;
     FUZZ_CHECK(show_frame(app) == 0);
@@ -71,6 +69,15 @@ static void draw(struct app *app)
     FUZZ_CHECK(!goes || (p->scene == app->control.scene && p->method == app->control.method &&
                          p->budget == app->control.budget && p->paused == !app->control.running && p->echo == heard));
     FUZZ_CHECK(!goes || !app->remote.stream.key);
+}
+
+/* Another viewer, with nothing of what the one before knew. */
+static unsigned somebody_comes(struct app *app)
+{
+    frames_restart(&viewer);
+    unsigned effect = remote_hear(app, NULL, HAL_LINK_COMES);
+    FUZZ_CHECK(effect == CONTROL_DRAW && app->remote.stream.key && !app->remote.stream.heard);
+    return effect;
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
@@ -96,7 +103,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     frames_open(&viewer, &none);
     for (size_t at = 0; at < size; at += PIECE) {
         uint32_t count = (uint32_t)(size - at < PIECE ? size - at : PIECE);
-        unsigned effect = remote_hear(&app, data + at, count);
+        unsigned effect = board.link && data[at] % 3 == 2 ? somebody_comes(&app) : 0;
+        effect |= remote_hear(&app, data + at, (int32_t)count);
         FUZZ_CHECK((effect & ~(unsigned)(CONTROL_DRAW | CONTROL_REPORT | CONTROL_READY)) == 0);
         in_range(&app);
         uint32_t held = remote_buttons(&app.remote, 250000), later = remote_buttons(&app.remote, REMOTE_HELD_US);
@@ -107,7 +115,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
             if (ready & CONTROL_READY)
                 show_ready(&app);
             ready = 0;
-            link_next = (enum hal_link_frame)(data[at] % 3);
+            link_takes = data[at] % 3 > 0;
             draw(&app);
             drawn++;
         }
