@@ -206,3 +206,9 @@ def starts(usb, glint):
         complaint or (None if found else "no more") or Pictures(glint, f"{RGB} --size 240x240").complaint(shown)
     status = usb.stop()
     yield "nothing is left of both", f"status {status}" if status else usb.left()
+
+
+def faster(usb, glint):
+    """A controller that can do more than high speed."""
+    usb.do("rmmod dummy_hcd; insmod /modules/dummy_hcd.ko is_super_speed=1")
+    yield from all_right(usb, glint, "super speed", f"{PLAIN} {DEMO}", f"{RGB} --size 240x240", 60)
