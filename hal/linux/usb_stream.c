@@ -11,9 +11,9 @@
 #define GATHER_US   1000u /* ... no longer than this */
 #define PAUSE_US    10000u
 #define DRAIN_US    500000u
-#define READ_PIECES 512u /* a packet of high speed */
-#define FIRST       100u /* bytes of a picture that go alone: fewer than any has, more than a controller takes ahead */
-#define LATE        60u  /* pictures: a host that lets so many be left out was not reading */
+#define READ_PIECES 1024u /* a packet of super speed */
+#define FIRST       100u  /* bytes of a picture that go alone: fewer than any has, more than a controller takes ahead */
+#define LATE        60u   /* pictures: a host that lets so many be left out was not reading */
 
 static struct timespec usb_stream_after(uint32_t us)
 {

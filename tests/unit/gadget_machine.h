@@ -336,6 +336,8 @@ long files_read(int descriptor, void *bytes, size_t size)
     } else if (descriptor == USB_CONTROL && usb_machine.events) {
         memcpy(bytes, usb_machine.event, result = sizeof *usb_machine.event);
         memmove(usb_machine.event, usb_machine.event + 1, (size_t)--usb_machine.events * sizeof *usb_machine.event);
+    } else if (descriptor == USB_OUT && size % 1024) {
+        result = -EOVERFLOW; /* a packet of super speed may be as long */
     } else if (descriptor == USB_OUT && usb_machine.configured) {
         while (usb_machine.configured && !usb_machine.sends_size)
             pthread_cond_wait(&usb_machine.change, &usb_machine.mutex);

@@ -285,12 +285,14 @@ static void a_host_that_is_not_heard_loses_its_last_words(void **state)
     usb_connect();
     assert_true(meet());
     usb_send(many, sizeof many);
-    for (size_t left = 1; left;) {
+    size_t left = 1;
+    for (int ms = 0; ms < PATIENCE_MS && left; ms++) {
         usb_lock();
         left = usb_machine.sends_size;
         usb_unlock();
         pause_ms(1);
     }
+    assert_int_equal(left, 0);
     assert_int_equal(hear(bytes, sizeof bytes), USB_STREAM_HEARD);
     assert_memory_equal(bytes, many, USB_STREAM_HEARD);
 }
