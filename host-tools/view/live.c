@@ -147,8 +147,9 @@ static void live_ask(struct session *s)
 
 static void live_note(struct live *l, const char *what, const char *name)
 {
-    char line[64];
-    live_log(l, line, (size_t)snprintf(line, sizeof line, "%s %s", what, name));
+    char line[OVERLAY_COLUMNS + 1]; /* a longer name is cut off */
+    snprintf(line, sizeof line, "%s %s", what, name);
+    live_log(l, line, strlen(line));
 }
 
 bool live_film_ended(struct live *l)
@@ -165,8 +166,8 @@ static void live_film(struct session *s)
 {
     struct live *l = &s->live;
     if (s->record.path) {
-        const char *name = s->record.path;
-        live_note(l, record_close(&s->record, true) ? "cannot write" : "saved", name);
+        const char *name = s->record.path, *done = s->record.pictures ? "saved" : "no picture for";
+        live_note(l, record_close(&s->record, true) ? "cannot write" : done, name);
         l->film[0] = 0;
     } else {
         dump_name(l->film, "recording");
