@@ -107,9 +107,14 @@ static void live_buttons(struct session *s)
 {
     struct live *l = &s->live;
     double now = cli_clock();
-    if (!s->port.there || (l->controls.buttons == l->done.buttons && now - l->told < LIVE_BUTTONS_MS))
+    struct controls *c = &l->controls;
+    const bool tapped = c->taps & ~c->buttons;
+    if (s->port.there && tapped)
+        session_send(s, STREAM_BUTTONS, c->buttons | c->taps);
+    c->taps = 0;
+    if (!s->port.there || (!tapped && c->buttons == l->done.buttons && now - l->told < LIVE_BUTTONS_MS))
         return;
-    session_send(s, STREAM_BUTTONS, l->controls.buttons);
+    session_send(s, STREAM_BUTTONS, c->buttons);
     l->told = now;
 }
 
