@@ -54,6 +54,7 @@ void live_picture(struct session *s, const struct frames_picture *p)
     memcpy(next->pixels, p->pixels, bytes);
     next->picture = *p;
     next->picture.pixels = next->pixels;
+    next->connections = s->connections;
     l->waits = true;
 }
 
@@ -106,7 +107,6 @@ static bool live_show(struct session *s)
 static void live_buttons(struct session *s)
 {
     struct live *l = &s->live;
-    double now = cli_clock();
     struct controls *c = &l->controls;
     const bool tapped = c->taps & ~c->buttons;
     if (s->port.there && tapped)
