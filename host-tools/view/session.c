@@ -50,9 +50,10 @@ static void session_picture(void *context, const struct frames_picture *p)
     struct session *s = context;
     const struct options *o = s->options;
     s->obeyed = session_obeyed(s, p);
+    s->counts = s->obeyed || (s->counts && s->live.window);
     if (s->live.window)
         live_picture(s, p);
-    if (session_enough(s) || !s->obeyed)
+    if (session_enough(s) || !s->counts)
         return;
     s->counted += p->bytes;
     if (o->dump && s->pictures == 0)

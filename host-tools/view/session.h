@@ -23,7 +23,8 @@ struct session {
     struct save save;
     struct live live;
     uint32_t wishes[SESSION_WISHES]; /* asked of the device, or OPTIONS_NONE */
-    bool obeyed;                     /* by the last picture, in all of these: those before do not count */
+    bool obeyed;                     /* by the last picture, in all of these */
+    bool counts;                     /* it does, if it obeyed; with a window also if any before it did */
     double asked;                    /* when, by cli_clock() */
     uint32_t seen;                   /* pictures when it was */
     double heard;                    /* when the last good message had come */
