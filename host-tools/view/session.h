@@ -44,7 +44,8 @@ void session_wish(struct session *session, enum session_wish wish, uint32_t valu
 /* Sends a request now. */
 void session_send(struct session *session, enum stream_type type, uint32_t value);
 
-/* All of it: an exit code, with a message. The signals are caught from here on. */
+/* All of it: an exit code, with a message but for standard output, which the caller looks at. The signals are caught
+ * from here on. */
 int session_run(struct session *session, const struct options *options);
 
 #endif
