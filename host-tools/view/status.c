@@ -48,15 +48,15 @@ static void status_flow(const struct status *s, struct overlay_text *text)
                 meter_rate(m, (double)sums->bytes) / 1e3);
     overlay_add(text, "compressed %.1f:1, raw %.0f, qoi %.0f, change %.0f %%", (double)sums->plain / bytes,
                 share * sums->bands[STREAM_RAW], share * sums->bands[STREAM_QOI], share * sums->bands[STREAM_CHANGE]);
-    overlay_add(text, "lost here %u, left out by the device %u", (unsigned)s->lost,
-                (unsigned)(s->picture ? s->picture->skipped : 0));
+    overlay_add(text, "lost here %u, left out by the device %u", (unsigned)s->lost, (unsigned)s->picture->skipped);
 }
 
 void status_figures(const struct status *s, struct overlay_text *text)
 {
+    if (!s->picture)
+        return;
     overlay_add(text, "%s, %s", status_board(s), s->port);
-    if (s->picture)
-        status_picture(s, text);
+    status_picture(s, text);
     status_flow(s, text);
 }
 

@@ -15,7 +15,7 @@ struct status {
     uint32_t lost;
 };
 
-/* Each adds lines. */
+/* Each adds lines, of figures none before a picture. */
 void status_figures(const struct status *status, struct overlay_text *text);
 void status_keys(struct overlay_text *text);
 

@@ -158,7 +158,7 @@ static void figures_say_what_the_device_says(void **state)
     assert_string_equal(title, "picosys");
 }
 
-static void before_the_first_picture_there_is_little_to_say(void **state)
+static void before_the_first_picture_there_is_nothing_to_say(void **state)
 {
     static struct names names;
     struct meter meter = {0};
@@ -167,8 +167,7 @@ static void before_the_first_picture_there_is_little_to_say(void **state)
     char title[100];
     (void)state;
     status_figures(&status, &text);
-    assert_string_equal(text.lines[0], "?, -");
-    assert_string_equal(text.lines[1], "0.0 pictures/s, latency -");
+    assert_int_equal(text.count, 0);
     status_title(&status, title, sizeof title);
     assert_string_equal(title, "- - Glint");
 }
@@ -236,7 +235,7 @@ int main(void)
                                        cmocka_unit_test(every_printable_letter_but_the_space_has_ink),
                                        cmocka_unit_test(lines_keep_to_their_room_and_to_letters),
                                        cmocka_unit_test(figures_say_what_the_device_says),
-                                       cmocka_unit_test(before_the_first_picture_there_is_little_to_say),
+                                       cmocka_unit_test(before_the_first_picture_there_is_nothing_to_say),
                                        cmocka_unit_test(a_place_that_hello_does_not_name_is_unknown),
                                        cmocka_unit_test(notes_are_forgotten_in_time),
                                        cmocka_unit_test(a_long_note_is_cut_off),
