@@ -200,15 +200,14 @@ static void usb_look(struct usb *u)
     u->context = NULL;
     u->arrived = false;
     u->look = cli_clock() + USB_LOOK_MS;
-    if ((u->trouble = libusb_init(&u->context)) != 0) {
+    if ((u->trouble = libusb_init(&u->context)) != 0)
         u->context = NULL;
-        return;
-    }
-    if (libusb_has_capability(LIBUSB_CAP_HAS_HOTPLUG)) /* if it fails, looking now and then does as well */
+    if (u->context && libusb_has_capability(LIBUSB_CAP_HAS_HOTPLUG)) /* if not, looking now and then does as well */
         libusb_hotplug_register_callback(u->context, LIBUSB_HOTPLUG_EVENT_DEVICE_ARRIVED, LIBUSB_HOTPLUG_NO_FLAGS,
                                          USB_FIND_VENDOR, USB_FIND_PRODUCT, LIBUSB_HOTPLUG_MATCH_ANY, usb_plugged, u,
                                          NULL);
-    u->trouble = usb_find(u->context, *u->serial ? u->serial : NULL, &u->device, &others);
+    if (u->context)
+        u->trouble = usb_find(u->context, *u->serial ? u->serial : NULL, &u->device, &others);
     if (u->trouble == 0) {
         usb_arrive(u, others);
     } else if (u->trouble == LIBUSB_ERROR_NOT_FOUND) {

@@ -158,6 +158,27 @@ static void a_device_of_another_program_is_told_once(void **state)
     case_end();
 }
 
+static void where_there_is_no_usb_that_is_told_once(void **state)
+{
+    struct port port;
+    struct reader reader = {0};
+    (void)state;
+    case_begin();
+    machine.none = true;
+    case_listen();
+    assert_int_equal(port_open(&port, "usb:", NULL), CLI_DONE);
+    for (int i = 0; i < 100; i++)
+        reader_step(&reader, &port);
+    case_heard();
+    assert_string_equal(case_told, "usb: Some error\n");
+    assert_string_equal(port.why, "Some error");
+    machine.none = false;
+    machine_plug(0, "A1");
+    assert_true(reader_run(&reader, &port, 1, 1000));
+    port_close(&port);
+    case_end();
+}
+
 static void who_waits_no_longer_says_for_what(void **state)
 {
     struct port port;
@@ -230,6 +251,7 @@ int main(void)
         cmocka_unit_test(access_denied_is_told_once_a_plug_with_its_remedy),
         cmocka_unit_test(a_right_that_comes_in_time_is_no_message),
         cmocka_unit_test(a_device_of_another_program_is_told_once),
+        cmocka_unit_test(where_there_is_no_usb_that_is_told_once),
         cmocka_unit_test(who_waits_no_longer_says_for_what),
         cmocka_unit_test(devices_are_listed_without_what_a_terminal_would_obey),
         cmocka_unit_test(a_list_of_none_says_why),

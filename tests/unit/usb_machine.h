@@ -50,6 +50,7 @@ struct machine {
     int calls, fails_at;                                                  /* a call's number from 1 */
     int callbacks, unplugs_at, stalls_at, swallows_at; /* a callback's number from 1; swallows: never comes */
     bool in_callback, hotplug, arrived, mute;          /* mute: the device sends nothing and takes nothing */
+    bool none;                                         /* there is no USB */
     int errors;                                        /* given since it was unplugged */
     double now;
     uint8_t heard[MACHINE_HEARD][32];
@@ -98,7 +99,7 @@ static int machine_poll(struct pollfd *files, nfds_t count, int wait_ms)
 
 int libusb_init(libusb_context **context)
 {
-    if (machine_fails())
+    if (machine_fails() || machine.none)
         return LIBUSB_ERROR_OTHER;
     assert_int_equal(machine.contexts_open++, 0);
     *context = &machine.contexts[0];
