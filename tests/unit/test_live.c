@@ -126,6 +126,96 @@ static void the_old_picture_stays_dim_until_there_is_a_new_one(void **state)
     assert_int_equal(case_run(&options, replug), CLI_DONE);
 }
 
+/* A loss: a band that is missing. */
+static void lose(unsigned turn)
+{
+    if (turn == 0)
+        case_draw(1, 0, false, true);
+    if (turn == 2) {
+        assert_int_equal(case_asked(0, STREAM_KEY_PLEASE, 0), 1); /* at first */
+        it.stream.sequence++;
+        case_draw(2, 0, false, false);
+        it.asked_count = 0;
+    }
+    if (turn > 2 && turn < 250) {
+        assert_int_equal(it.pixel, 1);
+        case_draw(3, 0, false, false);
+    }
+    if (turn == 250) { /* of 4 ms, and never what refers to the lost one */
+        assert_in_range(case_asked(0, STREAM_KEY_PLEASE, 0), 3, 5);
+        case_draw(4, 0, false, true);
+    }
+    if (turn == 251)
+        it.asked_count = 0;
+    if (turn == 400) {
+        assert_int_equal(it.pixel, 4);
+        assert_int_equal(case_asked(0, STREAM_KEY_PLEASE, 0), 0);
+        quit();
+    }
+    it.now += 4;
+}
+
+static void after_a_loss_a_key_frame_is_asked_for_until_it_comes(void **state)
+{
+    (void)state;
+    assert_int_equal(case_run(&options, lose), CLI_DONE);
+}
+
+static void hold(unsigned turn)
+{
+    if (turn % 2 == 0)
+        case_draw((uint8_t)(turn / 2), 0, false, turn == 0);
+    if (turn == 10)
+        case_key(' ');
+    if (turn == 21)
+        case_key('.');
+    if (turn == 31)
+        case_key(' ');
+    if (turn >= 12 && turn <= 21)
+        assert_int_equal(it.pixel, 4);
+    if (turn >= 23 && turn <= 31)
+        assert_int_equal(it.pixel, 10);
+    if (turn == 41) {
+        assert_int_equal(it.pixel, 19);
+        quit();
+    }
+}
+
+static void a_device_goes_on_while_its_picture_is_held(void **state)
+{
+    (void)state;
+    assert_int_equal(case_run(&options, hold), CLI_DONE);
+}
+
+/* Buttons are told every 500 ms and answered 100 ms later or a little more; the device after it answers nothing so far.
+ */
+static void answer(unsigned turn)
+{
+    struct port *port = &it.session.port;
+    double told = it.session.live.told;
+    if (turn == 400)
+        port->connections++;
+    if (turn % 20 == 0 && it.now >= told + 100 && it.now < told + 200)
+        it.stream.heard = it.sequence;
+    if (turn % 20 == 0)
+        case_draw(1, 0, false, turn == 0 || turn == 400);
+    if (turn == 390) {
+        assert_in_range(it.session.live.meter.latency_ms, 100, 200);
+        assert_in_range(case_asked(0, STREAM_BUTTONS, 0), 6, 8);
+    }
+    if (turn == 402)
+        assert_true(it.session.live.meter.latency_ms == 0.);
+    if (turn == 410)
+        quit();
+    it.now += 4;
+}
+
+static void latency_is_of_the_device_that_is_there(void **state)
+{
+    (void)state;
+    assert_int_equal(case_run(&options, answer), CLI_DONE);
+}
+
 static void film_without_pictures(unsigned turn)
 {
     if (turn == 0)
@@ -201,6 +291,9 @@ int main(void)
         LIVE_CASE(a_tap_is_told_however_short),
         LIVE_CASE(who_asks_twice_to_stop_wants_it_to_go_on),
         LIVE_CASE(the_old_picture_stays_dim_until_there_is_a_new_one),
+        LIVE_CASE(after_a_loss_a_key_frame_is_asked_for_until_it_comes),
+        LIVE_CASE(a_device_goes_on_while_its_picture_is_held),
+        LIVE_CASE(latency_is_of_the_device_that_is_there),
         LIVE_CASE(a_film_without_pictures_is_not_called_saved),
         LIVE_CASE(what_is_asked_for_by_keys_leaves_no_gap_in_a_film),
         LIVE_CASE(a_long_name_is_told_as_far_as_it_goes),

@@ -33,7 +33,8 @@ struct view_case {
         uint32_t value;
     } asked[CASE_ASKED];
     unsigned asked_count;
-    unsigned shown; /* pictures; the last one's pixels are all of this */
+    uint16_t sequence; /* of the last */
+    unsigned shown;    /* pictures; the last one's pixels are all of this */
     uint8_t pixel;
     bool dim;
     struct overlay_text text[OVERLAY_PLACES];
@@ -67,7 +68,7 @@ long port_read(struct port *port, void *bytes, size_t size, int wait_ms)
 
 int port_ask(struct port *port, enum stream_type type, uint32_t value)
 {
-    port->sequence++;
+    it.sequence = ++port->sequence;
     if (it.asked_count < CASE_ASKED) {
         it.asked[it.asked_count].type = type;
         it.asked[it.asked_count++].value = value;
