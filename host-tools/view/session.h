@@ -32,7 +32,7 @@ struct session {
     unsigned connections;            /* of the port, that have been greeted */
     uint32_t pictures;               /* that count */
     uint64_t counted;                /* their bytes */
-    uint8_t bytes[65536];            /* read, of which [at, count) is not yet looked at */
+    uint8_t bytes[PORT_MOST];        /* read, of which [at, count) is not yet looked at; all, that none may be old */
     size_t at, count;
     bool ended; /* nothing will be read any more */
     int code;

@@ -13,7 +13,7 @@
 
 #define USB_IN      8     /* transfers in flight */
 #define USB_BYTES   16384 /* each: a multiple of every packet size, so that a packet never ends beyond it */
-#define USB_QUEUE   (4 * USB_IN * USB_BYTES)
+#define USB_QUEUE   PORT_MOST
 #define USB_WAITING 16    /* requests; a newer one takes the oldest's place */
 #define USB_LOOK_MS 500.  /* between looks for the device */
 #define USB_END_MS  2000. /* that the end waits for the library to give all transfers back */

@@ -216,6 +216,26 @@ static void latency_is_of_the_device_that_is_there(void **state)
     assert_int_equal(case_run(&options, answer), CLI_DONE);
 }
 
+/* While the window was drawn, or its picture written, more pictures came than a pipe holds. */
+static void fall_behind(unsigned turn)
+{
+    if (turn == 0)
+        case_draw(1, 0, false, true);
+    for (unsigned i = 0; turn == 2 && i < 3000; i++)
+        case_draw((uint8_t)i, 0, false, false);
+    if (turn == 4) {
+        assert_int_equal(it.pixel, (uint8_t)2999);
+        assert_int_equal(it.shown, 2);
+        quit();
+    }
+}
+
+static void a_window_that_was_slow_shows_the_newest_picture(void **state)
+{
+    (void)state;
+    assert_int_equal(case_run(&options, fall_behind), CLI_DONE);
+}
+
 static void film_without_pictures(unsigned turn)
 {
     if (turn == 0)
@@ -294,6 +314,7 @@ int main(void)
         LIVE_CASE(after_a_loss_a_key_frame_is_asked_for_until_it_comes),
         LIVE_CASE(a_device_goes_on_while_its_picture_is_held),
         LIVE_CASE(latency_is_of_the_device_that_is_there),
+        LIVE_CASE(a_window_that_was_slow_shows_the_newest_picture),
         LIVE_CASE(a_film_without_pictures_is_not_called_saved),
         LIVE_CASE(what_is_asked_for_by_keys_leaves_no_gap_in_a_film),
         LIVE_CASE(a_long_name_is_told_as_far_as_it_goes),
