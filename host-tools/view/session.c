@@ -94,8 +94,10 @@ static void session_hello(void *context, const char *text, uint32_t length)
     struct session *s = context;
     bool first = s->names.length == 0;
     names_set(&s->names, text, length);
-    if (first && s->options->names)
+    if (first && s->options->names) {
         names_print(&s->names);
+        fflush(stdout); /* a signal may end this before anything else does */
+    }
     if (!first && s->live.window) /* which may have asked for others since */
         return;
     session_choose(s, NAMES_SCENES, s->options->scene, &s->wishes[SESSION_SCENE]);
