@@ -55,8 +55,8 @@ static void without_libusb_it_says_so(void **state)
     listened();
     assert_int_equal(code, CLI_IO);
     assert_int_equal(listed, CLI_IO);
-    assert_string_equal(told, "usb: this glint-view was built without libusb-1.0\n"
-                              "usb: this glint-view was built without libusb-1.0\n");
+    assert_string_equal(told, "usb: built without libusb-1.0 (`make view` has it)\n"
+                              "usb: built without libusb-1.0 (`make view` has it)\n");
 }
 
 static void a_file_is_read_to_its_end_and_asked_nothing(void **state)
