@@ -66,10 +66,13 @@ view: deps-view ## Build the viewer of streams, build/glint-view, with USB and a
 	@echo "$(VIEW): shows the device on USB, file:PATH or what comes by a pipe; --help has all, in its window h the keys"
 
 test: deps-test ## Run every test; the last line counts them
-	$(Q)tests/tools/run.sh unit cli models core golden device rp2040 linux docs sanitize bench
+	$(Q)tests/tools/run.sh unit fuzz cli models core golden device rp2040 linux docs sanitize bench
 
 test-unit: deps-test ## Unit tests
 	$(Q)tests/tools/run.sh unit
+
+test-fuzz: deps-test ## What `make fuzz` found of interest, given to the parsers of streams again, and that it reaches all their lines
+	$(Q)tests/tools/run.sh fuzz
 
 test-cli: deps-test ## The command line tool against good and bad input
 	$(Q)tests/tools/run.sh cli
@@ -92,11 +95,17 @@ test-rp2040: deps-test ## Frames on the display wires of an emulated PicoSystem,
 test-linux: deps-test ## The Linux boards' program on an emulated handheld, judged at its pins
 	$(Q)tests/tools/run.sh linux
 
+test-usb: deps-test ## Pictures over USB between glint-device and glint-view, with pulled cables and hostile hosts, in that handheld
+	$(Q)tests/tools/run.sh usb
+
 test-sanitize: deps-test ## Unit tests, command line and hashes under clang's sanitizers; firmware/ and hal/ under integer too
 	$(Q)tests/tools/run.sh sanitize
 
 test-exhaustive: deps-test ## Whole domains of the fixed-point functions (minutes)
 	$(Q)tests/tools/run.sh exhaustive
+
+fuzz: deps-test ## Make up bytes for the parsers of streams, SECONDS=60 for each; what breaks one is kept in build/fuzz/broken
+	$(Q)$(MAKE) --no-print-directory fuzz-search
 
 bench: deps-test ## Instructions a frame on Cortex-M0+, M3, M4 and the host; writes build/bench/bench.csv
 	$(Q)$(MAKE) --no-print-directory bench-table
@@ -216,10 +225,11 @@ include tests/tools/suites.mk
 include tests/tools/rp2040.mk
 include tests/tools/linux.mk
 include tests/tools/faults.mk
+include tests/tools/fuzz.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
-GOALS := all demo view test test-unit test-cli test-models test-core test-golden test-device test-rp2040 test-linux test-sanitize test-exhaustive \
+GOALS := all demo view test test-unit test-fuzz fuzz test-cli test-models test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive \
 	bench bench-boards bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-view deps-test deps-linux image run flash install clean help
 .PHONY: $(GOALS) tool
 # Several are made one after another, also with -j: each calls a make of its own, in the same folder.

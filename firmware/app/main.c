@@ -87,8 +87,8 @@ static unsigned main_hear(struct app *app)
     uint8_t bytes[STREAM_HEADER];
     unsigned effect = 0;
     struct hal_link *link = app->board->link;
-    for (uint32_t count;
-         (count = link ? link->ops->read(link, bytes, sizeof bytes) : serial_read(bytes, sizeof bytes)) != 0;)
+    for (int32_t count;
+         (count = link ? link->ops->read(link, bytes, sizeof bytes) : (int32_t)serial_read(bytes, sizeof bytes)) != 0;)
         effect |= remote_hear(app, bytes, count);
     return effect;
 }
@@ -137,13 +137,15 @@ static int main_loop(struct main_state *state, const struct app_start *start)
             show_repaint(app);
         main_count(state, effect & CONTROL_DRAW);
         effect &= CONTROL_DRAW | CONTROL_REPORT;
+        uint32_t skipped = app->remote.skipped;
         int error = effect ? main_show(app, effect & CONTROL_REPORT) : 0;
         if (error == MAIN_GONE)
             return error;
         if (effect && !error) {
             if (effect & CONTROL_REPORT)
                 main_tell(app);
-            effect = 0;
+            /* who looks from afar shall see how it stands, too, when it moves no more */
+            effect = app->remote.skipped != skipped ? CONTROL_DRAW : 0;
             state->shown++;
         }
         stack_check();

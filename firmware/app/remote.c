@@ -41,11 +41,16 @@ static unsigned remote_do(struct app *app, const struct stream_request *request)
     }
 }
 
-unsigned remote_hear(struct app *app, const uint8_t *bytes, uint32_t count)
+unsigned remote_hear(struct app *app, const uint8_t *bytes, int32_t count)
 {
     struct stream_request request;
     unsigned effect = 0;
-    for (uint32_t i = 0; i < count; i++)
+    if (count < 0) { /* HAL_LINK_COMES */
+        app->remote.stream.heard = 0;
+        app->remote.stream.key = 1;
+        effect = CONTROL_DRAW;
+    }
+    for (int32_t i = 0; i < count; i++)
         if (stream_receive(&app->remote.receiver, bytes[i], &request))
             effect |= remote_do(app, &request);
     return effect;
@@ -76,10 +81,6 @@ void remote_begin(struct app *app)
     app->remote.sending = link ? link->ops->begin(link, &app->remote.skipped) : s->key;
     if (!app->remote.sending)
         return;
-    if (app->remote.sending == HAL_LINK_TAKES_FIRST) {
-        s->key = 1;
-        s->heard = 0;
-    }
     s->pixels = board->pack;
     s->width = board->width;
     s->height = board->height;

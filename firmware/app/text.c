@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "app/text.h"
 
+#include "fixed/fixed.h"
+
 static const uint16_t text_digits[10] = {075557, 026227, 071747, 071717, 055711,
                                          074717, 074757, 071122, 075757, 075717};
 static const uint16_t text_letters[26] = {025755, 065656, 034443, 065556, 074647, 074644, 034553, 055755, 072227,
@@ -54,7 +56,7 @@ static void text_row(const struct text_canvas *canvas, uint8_t *row, unsigned x,
     }
 }
 
-void text_draw(const struct text_canvas *canvas, unsigned x, unsigned y, const char *text)
+FX_WRAPS void text_draw(const struct text_canvas *canvas, unsigned x, unsigned y, const char *text)
 {
     const struct glint_band *band = canvas->band;
     const unsigned large = text_large(canvas->width), lead = canvas->dark, above = lead << large;

@@ -39,8 +39,8 @@ struct stream {
     uint8_t *last; /* null, or room for a picture, aligned as its pixels: then only what changes is sent */
     /* at any time */
     uint32_t time_us; /* the device's time, for the messages to come */
-    uint16_t heard;   /* sequence of the last request from the other end; 0: none yet */
-    uint8_t key;      /* 1: the next frame is to be a key frame, as after an error; 0 again when it has begun */
+    uint32_t heard;   /* sequence of the last request from the other end; 0: none yet */
+    uint32_t key;     /* 1: the next frame is to be a key frame, as after an error; 0 again when it has begun */
 
     /* its own, zero at first */
     uint32_t number; /* of the frame */
@@ -48,7 +48,7 @@ struct stream {
     uint32_t crc;    /* of the message under way */
     int error;       /* the first of write in this message */
     uint16_t sequence;
-    uint8_t chained; /* the frame under way refers to `last` */
+    uint32_t chained; /* the frame under way refers to `last` */
 };
 
 /* `count` structs of `size` bytes, each beginning with its name, a `const char *`. */

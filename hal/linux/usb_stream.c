@@ -78,16 +78,15 @@ static void *usb_stream_events(void *argument)
 }
 
 /* What is to leave next, copied: how many bytes. A transfer of the host's ends with a packet that is not full: where
- * nothing follows, a zero byte, which is no message, makes it so. */
-static uint32_t usb_stream_piece(struct usb_stream *u, uint32_t *padding)
+ * nothing follows yet, the last byte stays behind to make it so, and then goes alone. */
+static uint32_t usb_stream_piece(struct usb_stream *u)
 {
     uint64_t waiting = u->written - u->sent;
-    uint32_t count = waiting < USB_STREAM_PIECE ? (uint32_t)waiting : USB_STREAM_PIECE,
-             at = (uint32_t)(u->sent % u->size), first = count < u->size - at ? count : u->size - at;
+    uint32_t count = waiting < USB_STREAM_PIECE ? (uint32_t)waiting : USB_STREAM_PIECE;
+    count -= count == waiting && count % FFS_PACKET == 0;
+    uint32_t at = (uint32_t)(u->sent % u->size), first = count < u->size - at ? count : u->size - at;
     memcpy(u->piece, u->queue + at, first);
     memcpy(u->piece + first, u->queue, count - first);
-    u->piece[count] = 0;
-    *padding = count == waiting && count % FFS_PACKET == 0;
     return count;
 }
 
@@ -111,14 +110,14 @@ static void *usb_stream_sends(void *argument)
         usb_stream_gather(u);
         if (u->written == u->sent)
             continue;
-        uint32_t padding, count = usb_stream_piece(u, &padding), connection = u->arrived;
+        uint32_t count = usb_stream_piece(u), connection = u->arrived;
         u->leaving = u->sent + count;
         pthread_mutex_unlock(&u->mutex);
-        long result = ffs_send(&u->ffs, u->piece, count + padding);
+        long result = ffs_send(&u->ffs, u->piece, count);
         pthread_mutex_lock(&u->mutex);
         if (connection != u->arrived || !u->there)
             continue;
-        if (result == (long)(count + padding))
+        if (result == (long)count)
             u->sent += count;
         else
             usb_stream_refused(u, result);
@@ -164,24 +163,24 @@ static void *usb_stream_hears(void *argument)
 /* --- the link -------------------------------------------------------------------------------------------------------
  */
 
-static enum hal_link_frame usb_stream_begin(struct hal_link *link, uint32_t *skipped)
+/* Somebody is there, of whom the reader was told. */
+static int usb_stream_knows(const struct usb_stream *u)
+{
+    return u->there && u->known == u->arrived;
+}
+
+static uint32_t usb_stream_begin(struct hal_link *link, uint32_t *skipped)
 {
     struct usb_stream *u = (struct usb_stream *)link;
-    enum hal_link_frame frame = HAL_LINK_LEAVES;
     pthread_mutex_lock(&u->mutex);
-    if (u->there && u->known != u->arrived) {
-        u->known = u->arrived;
-        frame = HAL_LINK_TAKES_FIRST;
-    } else if (u->there) {
-        /* the last one has begun to leave, and what is left of it is no more than one */
-        int room = u->leaving > u->begun_at || u->sent == u->written;
-        frame = room ? HAL_LINK_TAKES : HAL_LINK_LEAVES;
-        *skipped += !room;
-    }
-    if (frame != HAL_LINK_LEAVES)
+    /* room: the last one has begun to leave, if there is something of it */
+    uint32_t knows = usb_stream_knows(u) != 0, takes = knows && (u->leaving > u->begun_at || u->sent == u->written) &&
+                                                       u->size - (u->written - u->sent) >= u->frame_most;
+    if (takes)
         u->begun_at = u->written;
+    *skipped += knows - takes;
     pthread_mutex_unlock(&u->mutex);
-    return frame;
+    return takes;
 }
 
 static int usb_stream_write(void *link, const void *bytes, size_t size)
@@ -189,7 +188,7 @@ static int usb_stream_write(void *link, const void *bytes, size_t size)
     struct usb_stream *u = link;
     int result = 0;
     pthread_mutex_lock(&u->mutex);
-    if (!u->there || u->known != u->arrived)
+    if (!usb_stream_knows(u))
         result = HAL_E_IO;
     else if (size > u->size - (u->written - u->sent))
         result = HAL_E_FULL;
@@ -204,18 +203,23 @@ static int usb_stream_write(void *link, const void *bytes, size_t size)
     return result;
 }
 
-static uint32_t usb_stream_read(struct hal_link *link, void *bytes, uint32_t size)
+static int32_t usb_stream_read(struct hal_link *link, void *bytes, uint32_t size)
 {
     struct usb_stream *u = (struct usb_stream *)link;
-    uint32_t count = 0;
+    int32_t count = 0;
     pthread_mutex_lock(&u->mutex);
-    for (; u->known == u->arrived && count < size && u->read < u->heard; count++)
-        ((uint8_t *)bytes)[count] = u->host[u->read++ % USB_STREAM_HEARD];
+    if (u->there && u->known != u->arrived) {
+        u->known = u->arrived;
+        count = HAL_LINK_COMES;
+    } else {
+        for (; (uint32_t)count < size && u->read < u->heard; count++)
+            ((uint8_t *)bytes)[count] = u->host[u->read++ % USB_STREAM_HEARD];
+    }
     pthread_mutex_unlock(&u->mutex);
     return count;
 }
 
-static const struct hal_link_ops usb_stream_ops = {usb_stream_begin, usb_stream_write, usb_stream_read};
+static const struct hal_link_ops usb_stream_ops = {usb_stream_read, usb_stream_begin, usb_stream_write};
 
 /* --- open and close -------------------------------------------------------------------------------------------------
  */

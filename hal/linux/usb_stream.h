@@ -35,7 +35,7 @@ struct usb_stream {
     pthread_mutex_t mutex; /* of all below */
     pthread_cond_t change;
     uint8_t stop, there;
-    uint32_t arrived, known; /* connections: how many there were; which one begin has told of */
+    uint32_t arrived, known; /* connections: how many there were; which one read has told of */
     uint8_t *queue;
     uint32_t size, frame_most; /* bytes; size: of the queue, two of the other */
     uint64_t written, sent;    /* bytes: into the queue, and taken by the host */
@@ -43,7 +43,7 @@ struct usb_stream {
     uint64_t begun_at;         /* bytes before the last picture */
     uint64_t heard, read;      /* bytes: from the host, and told */
     uint8_t host[USB_STREAM_HEARD];
-    uint8_t piece[USB_STREAM_PIECE + 1];
+    uint8_t piece[USB_STREAM_PIECE];
 };
 
 /* Plugs the device in: 0, or HAL_E_IO and the problem, with nothing held. The queue is in use until it is closed. */

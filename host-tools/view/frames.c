@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "view/frames.h"
 
+#include "fixed/fixed.h"
 #include "view/unpack.h"
 
 #include <stdlib.h>
@@ -28,8 +29,8 @@ static bool frames_room(struct frames *f, const struct parser_message *m)
     return f->next && f->last;
 }
 
-/* A frame that refers to the last one must be the next of the same kind. */
-static bool frames_follows(const struct frames *f, const struct parser_message *m)
+/* A frame that refers to the last one must be the next of the same kind; the last number is followed by 0. */
+FX_WRAPS static bool frames_follows(const struct frames *f, const struct parser_message *m)
 {
     const struct frames_picture *p = &f->picture;
     return f->chained && p->width == m->width && p->height == m->height && p->format == m->format &&
@@ -135,6 +136,8 @@ static void frames_take(void *context, const struct parser_message *m)
     f->picture.bytes += STREAM_HEADER + (m->length ? m->length + STREAM_CHECK : 0);
     switch (m->type) {
     case STREAM_HELLO:
+        if (f->begun) /* which does not go on behind it */
+            frames_lose(f);
         if (f->events.hello && m->payload[m->length - 1] == 0)
             f->events.hello(f->events.context, (const char *)m->payload, m->length);
         break;

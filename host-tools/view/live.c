@@ -209,7 +209,8 @@ static void live_change(struct session *s)
         window_fullscreen(l->window, c->fullscreen);
     if (c->rotation != l->done.rotation && l->shown.picture.pixels)
         s->code = s->code ? s->code : window_picture(l->window, &l->shown.picture, c->rotation);
-    if (c->scale || ((c->rotation ^ l->done.rotation) & 1 && !c->fullscreen && l->shown.picture.pixels)) {
+    bool turned = (c->rotation ^ l->done.rotation) & 1, left = l->done.fullscreen && !c->fullscreen;
+    if (c->scale || ((turned || left) && !c->fullscreen && l->shown.picture.pixels)) {
         l->scale = c->scale ? c->scale : l->scale;
         live_size(l);
     }

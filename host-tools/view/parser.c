@@ -104,7 +104,7 @@ static size_t parser_look(struct parser *p, const uint8_t *at, size_t count)
 static void parser_run(struct parser *p, bool last)
 {
     size_t at = 0;
-    while (at < p->count) {
+    while (at < p->count && !p->out_of_memory) {
         size_t step = parser_look(p, p->bytes + at, p->count - at);
         if (step == 0 && !last)
             break;

@@ -48,8 +48,9 @@ struct usb {
 static void usb_judge(struct usb *u, const struct libusb_transfer *t, bool *stalled)
 {
     if (t->status == LIBUSB_TRANSFER_STALL) {
+        u->stalls += !*stalled; /* all that are in flight end so */
+        u->leaving |= u->stalls > USB_STALLS;
         *stalled = true;
-        u->leaving |= ++u->stalls > USB_STALLS;
     } else if (t->status != LIBUSB_TRANSFER_COMPLETED && t->status != LIBUSB_TRANSFER_CANCELLED) {
         u->leaving = true; /* an unplugged device gives errors before it gives NO_DEVICE */
     }

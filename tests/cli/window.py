@@ -2,17 +2,21 @@
 """window.py GLINT SCENE DECODER-FOLDER: glint-view's window on an X screen, held pixel by pixel against the host's pictures.
 Runs in an empty folder. Prints a line a case, `ok` or `FAIL`."""
 import os
+import re
 import select
+import struct
 import subprocess
 import sys
 import threading
 import time
 import tty
+import zlib
 
 from xscreen import Screen, Window, wait_for
 
 glint, scene = sys.argv[1:3]
 sys.path.insert(0, sys.argv[3])
+import letters  # noqa: E402
 import stream  # noqa: E402
 
 WIDTH, HEIGHT, FRAMES = 61, 45, 6
@@ -42,6 +46,26 @@ def enlarged(picture, width, scale, turns=0):
     for _ in range(turns):
         rows = [list(column) for column in zip(*rows[::-1])]
     return b"".join(b"".join(pixel * scale for pixel in row) * scale for row in rows)
+
+
+def marks():
+    """What the window writes, by its five octal digits."""
+    known, sources = letters.glyphs(), os.path.dirname(letters.SOURCE) + "/../.."
+    for path, pattern in ((letters.SOURCE, r"case '(.)':\s+return (0[0-7]+)"),
+                          (f"{sources}/host-tools/view/overlay.c", r"\{'(\\?.)', (0[0-7]+)\}")):
+        known.update({int(number, 8): mark[-1] for mark, number in re.findall(pattern, read(path).decode())})
+    return known
+
+
+def words(window, known):
+    """The lines at the window's top."""
+    _, _, width, height = window.place()
+    pixels, scale, lines = window.pixels(), max(1, min(width, height) // 240), []
+    for y in range(2, height // scale - 7, 7):
+        bits = [int("".join(str(int(pixels[3 * scale * ((y + i) * width + x + j):][:3] == b"\xff\xff\xff"))
+                            for i in range(5) for j in range(3)), 2) for x in range(2, width // scale - 3, 4)]
+        lines.append("".join(known.get(b, "\0") for b in bits).split("\0")[0].strip())  # the box ends before the line does
+    return lines[:lines.index("")] if "" in lines else lines
 
 
 class View:
@@ -195,6 +219,13 @@ def another_size_makes_another_window(screen, pictures):
         verdict("pictures of another size", None if run.shows(enlarged(small, 20, 4)) else f"other pixels: {run.window.place()}")
 
 
+def heard(picture, sequence):
+    """A picture whose begin says that the device has heard a request."""
+    head = picture[:12] + struct.pack("<H", sequence) + picture[14:28]
+    crc = zlib.crc32(head)
+    return head + struct.pack("<I", crc) + picture[32:44] + struct.pack("<I", zlib.crc32(picture[32:44], crc)) + picture[48:]
+
+
 class Device(threading.Thread):
     """One on a serial line, that shows white and does what it is asked for."""
 
@@ -218,8 +249,9 @@ class Device(threading.Thread):
                     self.is_now[kind] = value
                 if kind == stream.KEY_PLEASE:
                     white = b"\xff" * (2 * WIDTH * HEIGHT)
-                    os.write(self.master, stream.message(stream.HELLO, hello, sequence, WIDTH, HEIGHT) +
-                             stream.picture(white, WIDTH, HEIGHT, sequence + 1, 0, *self.is_now.values()))
+                    picture = stream.picture(white, WIDTH, HEIGHT, sequence + 1, 0, *self.is_now.values())
+                    picture = heard(picture, data[at + 6] | data[at + 7] << 8)
+                    os.write(self.master, stream.message(stream.HELLO, hello, sequence, WIDTH, HEIGHT) + picture)
                     sequence = (sequence + 4) % 65536
                     time.sleep(.02)
                 else:
@@ -236,6 +268,10 @@ def keys_are_the_device_s_buttons(screen):
     device = Device()
     device.start()
     with View(screen, os.ttyname(device.slave), "--scale", "4") as run:
+        known = marks()
+        good = wait_for(lambda: re.search(r"\n[1-9]\d*\.\d PICTURES/S, LATENCY \d+\.\d MS\n", "\n".join(words(run.window, known))))
+        verdict("figures of a device, with its latency", None if good else words(run.window, known))
+        verdict("and what it shows", None if "FIRST BY ONE, BUDGET 4/255" in words(run.window, known) else words(run.window, known))
         run.window.keys("o")
         white = b"\xff" * (3 * 16 * WIDTH * HEIGHT)
         verdict("a device on a line is shown", None if run.shows(white) else "other pixels")

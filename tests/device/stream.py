@@ -90,6 +90,7 @@ def unpack(form, code, row, size, last):
     def copy(count):
         for _ in range(count):
             begin = len(out)
+            assert begin < size, "more pixels than the band has"
             if kind == 1:
                 out.extend(out[-unit:] if out else bytes(unit))
             elif kind == 2:

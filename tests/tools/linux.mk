@@ -30,11 +30,16 @@ $(GUEST_DIR)$(1)/initrd.gz: $(BUILD)/armhf/glint-device-$(1) $(GUEST_VIEW) $(GUE
 endef
 $(foreach v,$(GUESTS),$(eval $(call guest_rule,$(v))))
 
-# Both at once: each waits for the other's half of the machine only where there is one.
-suite-linux: $(GUESTS:%=$(GUEST_DIR)%/initrd.gz) $(GLINT)
-	@status=0; jobs=; for version in $(GUESTS); do \
-		python3 tests/device/linux/test_linux.py $(GUEST_KERNEL) $(GUEST_DIR)$$version $(GLINT) & jobs="$$jobs $$!"; done; \
-	for job in $$jobs; do wait $$job || status=1; done; exit $$status
+# Both guests at once: each waits for the other's half of the machine only where there is one. $(1) programs, one after another
+guests_run = status=0; jobs=; for version in $(GUESTS); do { code=0; for program in $(1); do \
+		python3 tests/device/linux/$$program.py $(GUEST_KERNEL) $(GUEST_DIR)$$version $(GLINT) || code=1; done; exit $$code; } & \
+		jobs="$$jobs $$!"; done; for job in $$jobs; do wait $$job || status=1; done; exit $$status
+suite-linux suite-usb: $(GUESTS:%=$(GUEST_DIR)%/initrd.gz) $(GLINT)
+suite-linux:
+	@$(call guests_run,test_linux test_usb)
+
+suite-usb:
+	@$(call guests_run,test_usb)
 
 # In a browser where there is a screen or SERVE=1, else SECONDS with KEYS pressed. ARGS are the program's options.
 GUEST_RUN = $(GUEST_DIR)v$(GPIOD)
@@ -44,4 +49,4 @@ linux-run: $(if $(filter linux-virt,$(BOARD)),$(GUEST_RUN)/initrd.gz)
 		$(PORT) $(ARGS),python3 tests/device/linux/play.py $(GUEST_KERNEL) $(GUEST_RUN) $(GUEST_BOARD) \
 		$(GUEST_RUN)/screen.png $(SECONDS) $(ARGS) $(KEYS) && echo "$(GUEST_RUN)/screen.png: what its panel shows then (live in a browser: SERVE=1)")
 
-.PHONY: suite-linux linux-run
+.PHONY: suite-linux suite-usb linux-run

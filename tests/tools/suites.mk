@@ -63,7 +63,7 @@ suite-sanitize: $(SCENE_C)
 	@$(MAKE) BUILD=$(BUILD)/sanitize CC=clang OPT=-O1 CFLAGS="$(SANITIZE)" CORE_CFLAGS="$(SANITIZE_CORE)" suite-sanitized
 
 suite-sanitized: $(BUILD)/golden $(UNIT_BIN) $(GLINT) $(VIEW) $(PLAIN_VIEW)
-	@status=0; $(MAKE) suite-unit || status=1; $(MAKE) suite-cli || status=1; \
+	@status=0; $(MAKE) suite-unit || status=1; $(MAKE) fuzz-replay || status=1; $(MAKE) suite-cli || status=1; \
 	tests/tools/check_golden.sh "sanitizers on this machine" all $(BUILD)/golden || status=1; exit $$status
 
 $(BUILD)/bench/device.csv: $(BENCH_ELF)

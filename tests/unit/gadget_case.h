@@ -75,18 +75,19 @@ static int close_usb(void **state)
     return 0;
 }
 
-static enum hal_link_frame begin(void)
+static uint32_t begin(void)
 {
     return usb.link.ops->begin(&usb.link, &skipped);
 }
 
-/* Waits until a picture is taken: how. */
-static enum hal_link_frame begin_soon(void)
+/* Waits until somebody is told of, before whom nobody is heard, and begins a picture for him: whether that is taken. */
+static uint32_t meet(void)
 {
-    enum hal_link_frame frame = HAL_LINK_LEAVES;
-    for (int ms = 0; ms < PATIENCE_MS && (frame = begin()) == HAL_LINK_LEAVES; ms++)
+    uint8_t byte;
+    int32_t count = 0;
+    for (int ms = 0; ms < PATIENCE_MS && !(count = usb.link.ops->read(&usb.link, &byte, 1)); ms++)
         pause_ms(1);
-    return frame;
+    return count == HAL_LINK_COMES && begin();
 }
 
 static int put(uint8_t value, size_t count)

@@ -115,7 +115,7 @@ static void another_program_is_not_disturbed(void **state)
 static void run_with_a_host(void)
 {
     usb_connect();
-    if (begin_soon() != HAL_LINK_LEAVES)
+    if (meet())
         put(1, 1000);
     usb_disconnect();
 }

@@ -105,8 +105,8 @@ static struct hal_display display = {&display_ops};
 /* A link that answers as it is told, with a viewer at its end. */
 static struct {
     struct hal_link link;
-    enum hal_link_frame answers[PICTURES]; /* to begin, one after the other */
-    uint32_t begun, taken;
+    char answers[PICTURES + 1]; /* to begin, one after the other: '-' leaves; '!' is the first of one who has come */
+    uint32_t begun, taken, told;
     uint32_t breaks_in, breaks_after; /* that picture: writes are refused after so many bytes */
     uint32_t bytes;                   /* of the picture under way */
     uint8_t says[256];                /* to the device, before the picture says_at */
@@ -120,22 +120,24 @@ static struct {
     uint32_t pictures, wrong, hellos, longest;
     uint16_t echo;
     char log[512];
+    int still;
 } line;
 
-static enum hal_link_frame line_begin(struct hal_link *link, uint32_t *skipped)
+static uint32_t line_begin(struct hal_link *link, uint32_t *skipped)
 {
     assert_ptr_equal(link, &line.link);
-    enum hal_link_frame answer = line.answers[line.begun++];
-    *skipped += answer == HAL_LINK_LEAVES;
-    line.taken = answer != HAL_LINK_LEAVES;
+    assert_in_range(line.begun, 0, PICTURES - 1);
+    char answer = line.answers[line.begun++];
+    line.taken = answer == '!' || answer == '+';
+    *skipped += answer == '-';
     line.bytes = 0;
-    if (answer == HAL_LINK_TAKES_FIRST) {
-        frames_close(&line.frames);
+    if (answer == '!') {
         const struct frames_events events = line.frames.events;
+        frames_close(&line.frames);
         line.frames = (struct frames){0};
         frames_open(&line.frames, &events);
     }
-    return answer;
+    return line.taken;
 }
 
 static int line_write(void *link, const void *bytes, size_t size)
@@ -155,15 +157,19 @@ static int line_write(void *link, const void *bytes, size_t size)
     return 0;
 }
 
-static uint32_t line_read(struct hal_link *link, void *bytes, uint32_t size)
+static int32_t line_read(struct hal_link *link, void *bytes, uint32_t size)
 {
     (void)link;
+    if (line.answers[line.begun] == '!' && line.told != line.begun + 1) {
+        line.told = line.begun + 1;
+        return HAL_LINK_COMES;
+    }
     if (line.begun < line.says_at)
         return 0;
     uint32_t count = line.says_count < size ? line.says_count : size;
     memcpy(bytes, line.says, count);
     memmove(line.says, line.says + count, line.says_count -= count);
-    return count;
+    return (int32_t)count;
 }
 
 static void line_picture(void *context, const struct frames_picture *p)
@@ -205,9 +211,9 @@ static int load(void **state)
     return 0;
 }
 
-static void run(enum hal_link_frame first, const char *others)
+static void run(const char *answers)
 {
-    static const struct hal_link_ops ops = {line_begin, line_write, line_read};
+    static const struct hal_link_ops ops = {line_read, line_begin, line_write};
     static const struct frames_events events = {line_picture, line_hello, line_log, NULL};
     const struct board board = {.name = "model",
                                 .display = &display,
@@ -224,14 +230,11 @@ static void run(enum hal_link_frame first, const char *others)
                                 .log = stream_log};
     struct app_start start;
     app_usual(&start);
-    start.pictures = (uint32_t)strlen(others) + 1;
+    start.pictures = (uint32_t)strlen(answers);
     start.step_us = 40000;
     line.link.ops = &ops;
-    line.answers[0] = first;
-    for (uint32_t i = 1; i < start.pictures; i++)
-        line.answers[i] = others[i - 1] == '-'   ? HAL_LINK_LEAVES
-                          : others[i - 1] == '!' ? HAL_LINK_TAKES_FIRST
-                                                 : HAL_LINK_TAKES;
+    start.control.running = !line.still;
+    strcpy(line.answers, answers);
     line.frames.events = events;
     frames_open(&line.frames, &events);
     reports[0] = 0;
@@ -257,7 +260,7 @@ static void say(enum stream_type type, uint32_t value, uint16_t sequence)
 static void every_picture_is_streamed_as_it_is_shown(void **state)
 {
     (void)state;
-    run(HAL_LINK_TAKES_FIRST, "+++++++");
+    run("!+++++++");
     assert_int_equal(line.pictures, 8);
     assert_int_equal(line.hellos, 1);
     for (uint32_t i = 0; i < 8; i++) {
@@ -274,7 +277,7 @@ static void every_picture_is_streamed_as_it_is_shown(void **state)
 static void what_is_left_out_is_counted_and_spoils_nothing(void **state)
 {
     (void)state;
-    run(HAL_LINK_TAKES_FIRST, "+--+-+");
+    run("!+--+-+");
     assert_int_equal(line.pictures, 4);
     static const uint32_t moments[] = {0, 40, 160, 240}, skipped[] = {0, 0, 2, 3};
     for (uint32_t i = 0; i < 4; i++) {
@@ -289,7 +292,7 @@ static void what_is_left_out_is_counted_and_spoils_nothing(void **state)
 static void who_comes_again_begins_with_hello_and_a_key_frame(void **state)
 {
     (void)state;
-    run(HAL_LINK_TAKES_FIRST, "+-!++");
+    run("!+-!++");
     assert_int_equal(line.pictures, 5);
     assert_int_equal(line.hellos, 2);
     assert_int_equal(line.picture[2].key, 1);
@@ -305,7 +308,7 @@ static void a_link_that_breaks_in_a_picture_loses_that_one(void **state)
         forget(NULL);
         line.breaks_in = 3;
         line.breaks_after = after;
-        run(HAL_LINK_TAKES_FIRST, "++++");
+        run("!++++");
         if (line.pictures == 5) {
             assert_true(after > 200);
             return;
@@ -322,7 +325,7 @@ static void a_key_frame_is_sent_when_asked_for(void **state)
     (void)state;
     line.says_at = 2;
     say(STREAM_KEY_PLEASE, 0, 1);
-    run(HAL_LINK_TAKES_FIRST, "+-+++");
+    run("!+-+++");
     assert_int_equal(line.pictures, 5);
     assert_int_equal(line.picture[2].key, 1); /* not forgotten with the one that was left out */
     assert_int_equal(line.picture[2].hello, 2);
@@ -335,7 +338,7 @@ static void pictures_echo_the_last_request_of_this_connection(void **state)
     line.says_at = 2;
     say(STREAM_BUTTONS, 0, 7);
     say(STREAM_METHOD, 1, 8);
-    run(HAL_LINK_TAKES_FIRST, "+++!+");
+    run("!+++!+");
     static const uint16_t echoes[] = {0, 0, 8, 8, 0, 0};
     for (int i = 0; i < 6; i++)
         assert_int_equal(line.picture[i].echo, echoes[i]);
@@ -346,7 +349,7 @@ static void reports_go_over_the_link_too(void **state)
     (void)state;
     line.says_at = 2;
     say(STREAM_BUDGET, 9, 1);
-    run(HAL_LINK_TAKES_FIRST, "++++");
+    run("!++++");
     assert_true(strlen(reports) > 60);
     assert_string_equal(line.log, reports);
     assert_non_null(strstr(line.log, "budget 9"));
@@ -355,9 +358,25 @@ static void reports_go_over_the_link_too(void **state)
 static void without_anybody_there_nothing_is_written(void **state)
 {
     (void)state;
-    run(HAL_LINK_LEAVES, "---");
+    run("0000");
     assert_int_equal(line.pictures, 0);
     assert_int_equal(line.hellos, 0);
+}
+
+/* A picture that stands is drawn once; who comes then, or was left behind, gets it nevertheless. */
+static void a_standing_picture_reaches_everybody(void **state)
+{
+    (void)state;
+    line.still = 1;
+    line.says_at = 2;
+    say(STREAM_BUDGET, 9, 1);
+    run("0!--+!");
+    assert_int_equal(line.pictures, 3);
+    for (uint32_t i = 0; i < 3; i++)
+        assert_int_equal(line.picture[i].moment_ms, 0);
+    assert_int_equal(line.picture[0].hello, 1);
+    assert_int_equal(line.picture[1].skipped, 2);
+    assert_int_equal(line.picture[2].hello, 2);
 }
 
 int main(void)
@@ -370,6 +389,7 @@ int main(void)
         cmocka_unit_test_setup(a_key_frame_is_sent_when_asked_for, forget),
         cmocka_unit_test_setup(pictures_echo_the_last_request_of_this_connection, forget),
         cmocka_unit_test_setup(reports_go_over_the_link_too, forget),
+        cmocka_unit_test_setup(a_standing_picture_reaches_everybody, forget),
         cmocka_unit_test_setup(without_anybody_there_nothing_is_written, forget),
     };
     return cmocka_run_group_tests(tests, load, NULL);

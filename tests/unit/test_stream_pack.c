@@ -171,6 +171,130 @@ static void any_bytes_do_no_harm(void **state)
     assert_in_range(taken, 100, 30000);
 }
 
+/* Bytes that mean nothing, or not there: more of no copy, above in the first row, the last picture of none, 19 to 1F.
+ */
+static void what_cannot_be_copied_is_refused(void **state)
+{
+    static const uint8_t codes[][3] = {{0xC0, 0, 0}, {0x18, 7, 0xC0}, {0x5F, 0, 0}, {0x41, 0, 0},
+                                       {0x7F, 0, 0}, {0x61, 0, 0},    {0x19, 0, 0}, {0x1F, 0, 0}};
+    (void)state;
+    for (unsigned width = 1; width <= 9; width++)
+        for (unsigned i = 0; i < sizeof codes / sizeof *codes; i++) {
+            struct band b = open_band(STREAM_GREY8, width, 1, false);
+            for (uint32_t count = i == 1 ? 3 : 1; count <= 3; count++)
+                assert_false(unpack(&b, codes[i], count));
+            close_band(&b);
+        }
+}
+
+/* A band of one row or, for a copy from above, two: some pixels that nothing is like, a run that can be copied in one
+ * way alone, and one more that ends it. */
+static struct band open_run(enum stream_format format, enum pack_kind kind, unsigned run, unsigned lead)
+{
+    unsigned width = lead + run + 1, rows = kind == PACK_ABOVE ? 2 : 1;
+    struct band b = {.format = formats[format]};
+    unsigned size = b.format->bits > 8 ? b.format->bits / 8 : 1;
+    b.stride = (size_t)width * size;
+    b.bytes = b.stride * rows;
+    b.room = 2 * b.bytes + 16;
+    b.pixels = malloc(b.bytes);
+    b.back = malloc(b.bytes);
+    b.out = malloc(b.room);
+    b.last = kind == PACK_LAST ? malloc(b.bytes) : NULL;
+    for (unsigned i = 0; i < width * rows; i++) {
+        uint8_t value = (uint8_t)(i * 67 % 251 + 4); /* far from its neighbours */
+        if (kind == PACK_LEFT && i > lead && i < lead + run)
+            value = (uint8_t)(lead * 67 % 251 + 4);
+        if (kind == PACK_ABOVE && i >= width + lead && i < width + lead + run)
+            value = b.pixels[(i - width) * size];
+        memset(b.pixels + (size_t)i * size, value, size);
+        if (b.last)
+            memset(b.last + (size_t)i * size, i >= lead && i < lead + run ? value : value ^ 0x50, size);
+    }
+    return b;
+}
+
+/* The same in any room about the size of what comes, or nothing; and no byte beyond. */
+static void fits_or_is_refused(const struct band *b, uint32_t count)
+{
+    enum { GUARD = 8 };
+    for (uint32_t room = count > 4 ? count - 4 : 0; room < count + 9; room++) {
+        uint8_t *out = malloc(room + GUARD);
+        memset(out, 0xA5, room + GUARD);
+        uint32_t got = pack(b, b->last, out, room);
+        assert_true(got == 0 || (got == count && count <= room && memcmp(out, b->out, count) == 0));
+        for (unsigned i = 0; i < GUARD; i++)
+            assert_int_equal(out[room + i], 0xA5);
+        free(out);
+    }
+}
+
+/* By every way to copy, and each number of pixels at which what is written changes: 1, 8, 9, 16, 17 ... 512, 513 ... */
+static void runs_of_every_length_come_back(void **state)
+{
+    (void)state;
+    for (unsigned format = 0; format < STREAM_FORMATS; format++)
+        for (unsigned kind = PACK_LEFT; kind <= PACK_LAST; kind++)
+            for (unsigned run = 1; run <= 9000; run += run > 1100 ? 997 : run > 40 && run % 8 == 1 ? 6 : 1)
+                for (unsigned lead = 0; lead <= 2; lead += 2) {
+                    struct band b = open_run(format, kind, run, lead);
+                    uint32_t count = pack(&b, b.last, b.out, b.room);
+                    assert_true(count > 0 && count <= b.room);
+                    assert_true(unpack(&b, b.out, count));
+                    assert_memory_equal(b.back, b.pixels, b.bytes);
+                    fits_or_is_refused(&b, count);
+                    if (kind == PACK_LAST && lead == 0) { /* nothing but the run and the pixel behind it */
+                        uint32_t pixel = (uint32_t)(b.bytes / (run + 1));
+                        assert_in_range(count, 2 + (run + 503) / 512, 2 + pixel + (run + 503) / 512);
+                    }
+                    close_band(&b);
+                }
+}
+
+static void every_width_comes_back_in_every_format(void **state)
+{
+    (void)state;
+    random_seed(13);
+    for (unsigned width = 1; width <= 70; width++)
+        for (unsigned rows = 1; rows <= 4; rows++)
+            for (unsigned kind = 0; kind < 2 * STREAM_FORMATS; kind++) {
+                struct band b = open_band((enum stream_format)(kind & 3), width, rows, kind & 4);
+                uint32_t count = pack(&b, b.last, b.out, b.room);
+                assert_true(count > 0 && unpack(&b, b.out, count));
+                assert_memory_equal(b.back, b.pixels, b.bytes);
+                close_band(&b);
+            }
+}
+
+/* Pixels that differ from the one before, above and of the last picture by too much for a difference: each a literal.
+ * It takes just the room that it needs, the margin of a round, and is refused with a byte less. */
+static void the_worst_band_takes_a_byte_a_pixel_more_than_its_pixels(void **state)
+{
+    (void)state;
+    for (unsigned kind = 0; kind < 2 * STREAM_FORMATS; kind++)
+        for (unsigned width = 1; width <= 33; width++) {
+            struct band b = open_band((enum stream_format)(kind & 3), width, 3, kind & 4);
+            unsigned size = b.format->bits > 8 ? b.format->bits / 8 : 1;
+            uint32_t worst = (uint32_t)(b.bytes / size * (size + 1));
+            for (size_t i = 0; i < b.bytes; i++) {
+                size_t pixel = i / size, row = i / b.stride;
+                b.pixels[i] = (uint8_t)((pixel * 0x55 + row * 0x33 + 0x77) & 255);
+                if (b.last)
+                    b.last[i] = b.pixels[i] ^ 0x99;
+            }
+            assert_int_equal(pack(&b, b.last, b.out, b.room), worst);
+            assert_true(unpack(&b, b.out, worst));
+            assert_memory_equal(b.back, b.pixels, b.bytes);
+            uint32_t need = worst - (size + 1) + 6; /* before the last pixel a round's margin must be there */
+            for (uint32_t room = 0; room <= need; room++) {
+                uint8_t *out = malloc(room + 1);
+                assert_int_equal(pack(&b, b.last, out, room), room == need ? worst : 0);
+                free(out);
+            }
+            close_band(&b);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -180,6 +304,10 @@ int main(void)
         cmocka_unit_test(an_unchanged_band_takes_a_byte_for_512_pixels),
         cmocka_unit_test(a_part_is_not_taken_for_the_whole),
         cmocka_unit_test(any_bytes_do_no_harm),
+        cmocka_unit_test(what_cannot_be_copied_is_refused),
+        cmocka_unit_test(runs_of_every_length_come_back),
+        cmocka_unit_test(every_width_comes_back_in_every_format),
+        cmocka_unit_test(the_worst_band_takes_a_byte_a_pixel_more_than_its_pixels),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What a device hears: requests as the viewer writes them, and nothing else. */
+#include "scene/scene.h"
 #include "stream/receive.h"
 #include "view/port.h"
 
@@ -89,6 +90,25 @@ static void what_a_device_sends_is_no_request(void **state)
     }
 }
 
+/* Its CRC is right, and yet it is none: of another version, or with another beginning. */
+static void a_request_of_another_kind_is_none(void **state)
+{
+    struct stream_request heard;
+    uint8_t message[STREAM_HEADER];
+    (void)state;
+    for (unsigned at = 0; at <= STREAM_AT_VERSION; at++) {
+        struct stream_receiver r = {{0}, 0};
+        port_message(message, STREAM_METHOD, 7, 1);
+        message[at]++;
+        uint32_t crc = scene_crc32(0, message, STREAM_AT_CRC);
+        for (unsigned i = 0; i < 4; i++)
+            message[STREAM_AT_CRC + i] = (uint8_t)(crc >> 8 * i & 255);
+        assert_int_equal(push(&r, message, STREAM_HEADER, &heard), 0);
+        port_message(message, STREAM_METHOD, 7, 1);
+        assert_int_equal(push(&r, message, STREAM_HEADER, &heard), 1);
+    }
+}
+
 static void noise_makes_no_request(void **state)
 {
     struct stream_receiver r = {{0}, 0};
@@ -106,8 +126,11 @@ static void noise_makes_no_request(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_request_is_heard_once),    cmocka_unit_test(what_is_before_a_request_does_not_hide_it),
-        cmocka_unit_test(a_flipped_bit_makes_no_request), cmocka_unit_test(what_a_device_sends_is_no_request),
+        cmocka_unit_test(every_request_is_heard_once),
+        cmocka_unit_test(what_is_before_a_request_does_not_hide_it),
+        cmocka_unit_test(a_flipped_bit_makes_no_request),
+        cmocka_unit_test(what_a_device_sends_is_no_request),
+        cmocka_unit_test(a_request_of_another_kind_is_none),
         cmocka_unit_test(noise_makes_no_request),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -76,15 +76,15 @@ class Usb:
         return f"{GADGET}/*/UDC"
 
     def play(self, options):
-        """Starts the device program: None, or what went wrong. Its words go to /tmp/device."""
+        """Starts the device program and waits until the host has configured it: None, or what went wrong. Its words go to /tmp/device."""
         self.device = int(self.do(f"glint-device {options} >/tmp/device 2>&1 & echo $!"))
-        if self.wait(f'[ -n "$(cat {self.udc()} 2>/dev/null)" ]'):
+        if self.wait("ls /sys/bus/usb/devices/*-1:1.0 >/dev/null 2>&1"):
             return None
         return f"no device on USB: {self.do('cat /tmp/device')}"
 
     def stop(self, signal="TERM"):
         """Ends the device program: its status."""
-        status = int(self.do(f"kill -{signal} {self.device}; wait {self.device}; echo $?"))
+        status = int(self.do(f"kill -{signal} {self.device}; wait {self.device}; echo $?").split()[-1])
         self.device = None
         return status
 

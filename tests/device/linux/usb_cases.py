@@ -45,6 +45,7 @@ def pictures(usb, glint):
 
 def sizes(usb, glint):
     yield from all_right(usb, glint, "320x240", f"{BARE} --panel none --size 320x240 {DEMO}", f"{RGB} --size 320x240", 60)
+    yield from all_right(usb, glint, "37x23", f"{BARE} --panel none --size 37x23 {DEMO}", f"{RGB} --size 37x23", 60)
     yield from all_right(usb, glint, "dithered", f"{PLAIN} --dither {DEMO}", f"{RGB} --dither --size 240x240", 60)
 
 
@@ -155,14 +156,14 @@ def bogus(usb, glint):
     usb.watch()
     usb.until_pictures(10)
     status, said = usb.guest.run("bogus requests 1 600", 200)
-    yield f"control requests of no sense: {said.strip()}", f"status {status}" if status else None
+    yield f"control requests of no sense: {', '.join(said.splitlines())}", f"status {status}" if status else None
     count = len(usb.seen())
     usb.until_pictures(count + 60)
     shown = usb.leave()
     yield f"the stream goes on meanwhile and behind: {len(shown)} pictures", \
         numbers(shown) or (None if len(shown) >= count + 60 else "no more") or Pictures(glint, f"{RGB} --size 240x240").complaint(shown)
     status, said = usb.guest.run("bogus seize 2 600", 200)
-    yield f"the same from who has the interface, and bytes of no sense: {said.strip()}", f"status {status}" if status else None
+    yield f"the same from who has the interface, and bytes of no sense: {', '.join(said.splitlines())}", f"status {status}" if status else None
     status, shown, _, said = usb.view("--frames 30")
     yield "a viewer that finds both endpoints halted goes on", f"status {status}: {said} {usb.do('cat /tmp/device')}" if status else \
         numbers(shown) or Pictures(glint, f"{RGB} --size 240x240").complaint(shown)
@@ -196,7 +197,7 @@ def starts(usb, glint):
         complaint or (None if status == 3 and said.count("\n") == 1 else f"status {status}")
     usb.watch()
     usb.until_pictures(5)
-    yield "and SIGKILL ends the first", None if usb.stop("KILL") == 137 else "another status"
+    yield "SIGKILL ends the first, and leaves its gadget", None if usb.stop("KILL") == 137 and usb.left() else "not so"
     count = len(usb.seen())
     complaint = usb.play(f"{PLAIN} {DEMO}")
     found = usb.until_pictures(count + 60)

@@ -10,7 +10,7 @@ WIRED = f"{BARE} --chip 9030000.pl061 --dc DC --reset RESET --backlight BACKLIGH
 BY_SPIDEV = "--spi /dev/spidev0.0"
 BY_LINES = "--spi gpio --sck SCK --mosi MOSI --cs CS"
 FRAMES = 60
-STREAMED = 20
+STREAMED = 10
 
 
 def both(usb, glint, name, panel, options, kind):
@@ -36,12 +36,12 @@ def both(usb, glint, name, panel, options, kind):
 
 
 def colours(usb, glint):
-    yield from both(usb, glint, "st7789", St7789(64, 48), BY_SPIDEV, "--format rgb565 --tables 1")
+    yield from both(usb, glint, "st7789", St7789(48, 32), BY_SPIDEV, "--format rgb565 --tables 1")
 
 
 def greys(usb, glint):
     usb.do("echo spi-panel >/sys/bus/platform/drivers/spi_gpio/unbind")
-    yield from both(usb, glint, "ssd0323", Ssd0323(128, 64, 0, 0), BY_LINES, "--format grey4 --dither")
+    yield from both(usb, glint, "ssd0323", Ssd0323(40, 20), BY_LINES, "--format grey4 --dither")
 
 
 CASES = (colours, greys)

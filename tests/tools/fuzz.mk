@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: MIT
+# tests/fuzz: each fuzz_<thing>.c is a target, the files of corpus/fuzz_<thing>/ are its inputs (tests/fuzz/README.md).
+FUZZ_TARGETS := $(patsubst tests/fuzz/%.c,%,$(wildcard tests/fuzz/fuzz_*.c))
+FUZZ_CORPUS := tests/fuzz/corpus
+# Whose lines the corpus reaches, all of them.
+FUZZ_SRC := host-tools/view/parser.c host-tools/view/frames.c host-tools/view/unpack.c firmware/stream/pack.c \
+	firmware/stream/receive.c firmware/app/remote.c
+FUZZ_LIB := $(BUILD)/fuzz/libfuzz.a
+FUZZ_SCENES := mini clip
+FUZZ_SCENE_C := $(SCENE_DIR)/fuzz_list.c $(FUZZ_SCENES:%=$(SCENE_DIR)/%.c)
+FUZZ_BIN := $(FUZZ_TARGETS:%=$(BUILD)/fuzz/%)
+# Wrapping that is meant is marked, in the viewer too.
+FUZZ_SANITIZE := $(SANITIZE) $(SANITIZE_CORE) -fsanitize=fuzzer-no-link
+
+$(SCENE_DIR)/fuzz_list.c: tests/tools/scene_list.sh tests/tools/fuzz.mk
+	@mkdir -p $(@D)
+	$(Q)tests/tools/scene_list.sh $(FUZZ_SCENES) >$@
+
+$(FUZZ_LIB): $(filter $(FUZZ_SRC:%.c=$(BUILD)/obj/%.o) $(BUILD)/obj/firmware/app/% $(BUILD)/obj/hal/%,$(HOST_OBJ)) $(CORE_OBJ)
+	$(call say,AR,$@)
+	@mkdir -p $(@D)
+	$(Q)rm -f $@; $(AR) rcs $@ $^
+
+# FUZZER: the library that makes the inputs up, or none: the corpus. A message's checks are repaired by mutate.c.
+FUZZ_MAIN := tests/fuzz/$(if $(FUZZER),mutate.c,replay.c)
+FUZZ_FLAGS_fuzz_view := -Wl,--wrap=malloc -Wl,--wrap=realloc
+FUZZ_PART_fuzz_remote := $(FUZZ_SCENE_C)
+define fuzz_rule
+$(BUILD)/fuzz/$(1): tests/fuzz/$(1).c $(if $(filter fuzz_pack fuzz_unpack,$(if $(FUZZER),$(1))),,$(FUZZ_MAIN)) $$(FUZZ_PART_$(1)) \
+		$(FUZZ_LIB)
+	$$(call say,FUZZ,$$<)
+	@mkdir -p $$(@D)
+	$$(Q)$$(CC) $(HOST_FLAGS) -Itests $$(OPT) -g $$(CFLAGS) $$(FUZZER) -MMD -MP -MF $$@.d $$(filter %.c %.a,$$^) $$(FUZZ_FLAGS_$(1)) -lz -lm -o $$@
+endef
+$(foreach t,$(FUZZ_TARGETS),$(eval $(call fuzz_rule,$(t))))
+-include $(FUZZ_BIN:=.d)
+
+fuzz-search: $(FUZZ_SCENE_C)
+	$(Q)$(MAKE) --no-print-directory BUILD=$(BUILD)/fuzz CC=clang CFLAGS="$(FUZZ_SANITIZE)" FUZZER=-fsanitize=fuzzer fuzz-run
+
+fuzz-run: $(FUZZ_BIN)
+	$(Q)tests/fuzz/run.sh $(BUILD) $(FUZZ_CORPUS) $(if $(filter file,$(origin SECONDS)),60,$(SECONDS)) $(FUZZ_TARGETS)
+
+fuzz-replay: $(FUZZ_BIN)
+	@status=0; for target in $(FUZZ_TARGETS); do $(BUILD)/fuzz/$$target $(FUZZ_CORPUS)/$$target || status=1; done; exit $$status
+
+# Counted afresh at each run.
+fuzz-lines: $(FUZZ_BIN)
+	@find $(BUILD) -name '*.gcda' -delete
+	@$(MAKE) fuzz-replay >/dev/null && tests/fuzz/lines.sh $(BUILD)/obj $(FUZZ_SRC)
+
+suite-fuzz: $(FUZZ_SCENE_C)
+	@status=0; $(MAKE) fuzz-replay || status=1; \
+	$(MAKE) BUILD=$(BUILD)/lines CC=gcc OPT=-O0 CFLAGS=--coverage fuzz-lines || status=1; exit $$status
+
+# The corpus once more, as unit tests are.
+suite-sanitize: $(FUZZ_SCENE_C)
+suite-sanitized: $(FUZZ_BIN)
+
+.PHONY: fuzz-search fuzz-run fuzz-replay fuzz-lines suite-fuzz
