@@ -225,7 +225,9 @@ static void boards_files_are_good(void **state)
     static const struct {
         const char *name;
         unsigned keys;
-    } boards[] = {{"pi-zero-waveshare13", 8}, {"pi-zero-displayhatmini", 4}, {"linux-virt", 2}};
+        int bare;
+    } boards[] = {
+        {"pi-zero-waveshare13", 8, 0}, {"pi-zero-displayhatmini", 4, 0}, {"pi-zero-usb", 0, 1}, {"linux-virt", 2, 0}};
     (void)state;
     for (size_t i = 0; i < sizeof boards / sizeof *boards; i++) {
         char options[128];
@@ -233,7 +235,8 @@ static void boards_files_are_good(void **state)
         assert_int_equal(reads(options), -1);
         assert_string_equal(told, "");
         assert_int_equal(settings.keys.count, boards[i].keys);
-        assert_ptr_equal(settings.controller, &panel_st7789);
+        assert_ptr_equal(settings.controller, boards[i].bare ? NULL : &panel_st7789);
+        assert_int_equal(settings.usb, boards[i].bare);
     }
 }
 
