@@ -23,7 +23,7 @@ enum controls_key {
 struct controls {
     uint32_t buttons;  /* the device's, held now, as in STREAM_BUTTONS */
     unsigned rotation; /* quarter turns, clockwise */
-    bool fullscreen, paused, figures, help;
+    bool fullscreen, paused, figures, details, help;
     /* asked for since these were last zeroed, by whoever does it */
     unsigned scale, steps; /* scale: 0: as it is */
     int scene, method, budget;
