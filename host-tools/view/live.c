@@ -8,9 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define LIVE_HIDDEN_MS  300. /* that a window without a picture stays hidden: its size is not known */
-#define LIVE_BUTTONS_MS 500. /* between messages of the same buttons: a device lets go of them after a second */
-#define LIVE_WIDTH      240  /* of a window without a picture */
+#define LIVE_HIDDEN_MS  300.  /* that a window without a picture stays hidden: its size is not known */
+#define LIVE_BUTTONS_MS 500.  /* between messages of the same buttons: a device lets go of them after a second */
+#define LIVE_HINT_MS    5000. /* that the figures name the key that lists the keys */
+#define LIVE_WIDTH      240   /* of a window without a picture */
 
 static uint64_t live_us(void)
 {
@@ -26,6 +27,7 @@ int live_open(struct session *s)
     l->controls.fullscreen = o->fullscreen;
     l->scale = o->scale;
     l->opened = cli_clock();
+    l->hint = l->opened + LIVE_HINT_MS;
     l->words = true;
     return window_open(&l->window);
 }
@@ -228,7 +230,7 @@ static void live_change(struct session *s)
         c->steps--;
     }
     if (c->rotation != l->done.rotation || c->paused != l->done.paused || c->figures != l->done.figures ||
-        c->help != l->done.help)
+        c->details != l->done.details || c->help != l->done.help)
         l->words = true;
 }
 
@@ -239,12 +241,13 @@ static void live_words(struct session *s)
                                   .names = &s->names,
                                   .picture = l->shown.picture.pixels ? &l->shown.picture : NULL,
                                   .meter = &l->meter,
-                                  .lost = s->frames.lost};
+                                  .lost = s->frames.lost,
+                                  .details = l->controls.details};
     struct overlay_text text[OVERLAY_PLACES] = {{.count = 0}};
     char title[128];
     status_title(&status, title, sizeof title);
     window_title(l->window, title);
-    if (l->controls.figures)
+    if (l->controls.figures && !l->controls.help)
         status_figures(&status, &text[OVERLAY_TOP]);
     if (l->controls.help)
         status_keys(&text[OVERLAY_MIDDLE]);
@@ -255,6 +258,8 @@ static void live_words(struct session *s)
         overlay_add(&text[OVERLAY_MIDDLE], "no picture so far");
     else if (s->ended && s->port.asks)
         overlay_add(&text[OVERLAY_MIDDLE], "%s has gone", s->port.name);
+    if (l->controls.figures && !l->controls.help && (!l->shown.picture.pixels || cli_clock() < l->hint))
+        overlay_add(&text[OVERLAY_BOTTOM], "h lists the keys");
     status_list(&l->notes, &text[OVERLAY_BOTTOM]);
     if (l->controls.paused && l->controls.figures)
         overlay_add(&text[OVERLAY_BOTTOM], "held: space lets it go on");

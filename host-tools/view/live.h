@@ -32,6 +32,7 @@ struct live {
     struct live_picture shown, next; /* next: received, and not shown so far */
     bool waits;                      /* there is such a one */
     double opened, told;             /* when the window was, and the device of the buttons; by cli_clock() */
+    double hint;                     /* until when the keys' key is named */
     char film[DUMP_NAME];            /* recorded by key; empty: none */
     unsigned scale;                  /* as last asked for */
     bool there, words;               /* the device was; the words must be written anew */

@@ -217,6 +217,10 @@ static int session_tell(const struct session *s)
         fprintf(stderr, "%s: out of memory\n", s->port.name);
         return CLI_IO;
     }
+    if (f->parser.messages == 0 && !f->parser.other_version) {
+        fprintf(stderr, "%s: is no stream\n", s->port.name);
+        return CLI_BAD_DATA;
+    }
     if (pictures == 0 || pictures < s->options->frames) {
         fprintf(stderr, "%s: %s%u picture%s in the stream, %u lost%s\n", s->port.name, pictures ? "only " : "",
                 (unsigned)pictures, pictures == 1 ? "" : "s", (unsigned)f->lost,

@@ -62,6 +62,7 @@ head -c $((size / 30)) good.stream >short.stream
 run 'a stream without a whole picture fails' 1 "$view" file:short.stream --dump none
 echo 'no stream' >words
 run 'as does what is none' 1 "$view" file:words --headless
+matches 'which is said' "$top/err" '^words: is no stream$'
 run 'a missing file is named' 3 "$view" file:nowhere
 matches 'with the reason' "$top/err" '^nowhere: No such file'
 run 'a file is no serial line' 3 "$view" good.stream
@@ -136,5 +137,9 @@ run 'hashes do not mix with a stream on standard output' 2 "$glint" render "$dem
 run 'a stream that cannot be written is named' 3 "$glint" render "$demo" --stream none/a.stream
 matches 'with the reason' "$top/err" '^none/a.stream: No such file'
 run 'a full device too' 3 "$glint" render "$demo" --stream /dev/full
+"$glint" render "$demo" --stream - --frames 100000 2>err | head -c 100000 >/dev/null
+status=${PIPESTATUS[0]}
+if [ "$status" = 3 ] && [ ! -s err ]; then say ok 'a viewer that has seen enough is no error to speak of'
+else say FAIL 'a viewer that has seen enough is no error to speak of' "$status: $(cat err)"; fi
 interrupted 'a signal takes the stream back' TERM 'a.stream*' "$glint" render "$demo" --frames 100000 --stream a.stream
 finish

@@ -81,6 +81,20 @@ static void a_step_holds_the_picture(void **state)
     assert_true(c.paused);
 }
 
+static void figures_are_few_or_all(void **state)
+{
+    struct controls c = {.figures = true};
+    (void)state;
+    controls_press(&c, 'o', true, false);
+    assert_true(c.figures && c.details);
+    press(&c, 'o');
+    assert_true(!c.figures && c.details);
+    press(&c, 'o');
+    assert_true(c.figures && c.details);
+    controls_press(&c, 'o', true, false);
+    assert_true(c.figures && !c.details);
+}
+
 static void requests_add_up_until_they_are_made(void **state)
 {
     struct controls c = {0};
@@ -135,6 +149,7 @@ int main(void)
                                        cmocka_unit_test(rotation_goes_round),
                                        cmocka_unit_test(escape_leaves_fullscreen_before_it_ends),
                                        cmocka_unit_test(a_step_holds_the_picture),
+                                       cmocka_unit_test(figures_are_few_or_all),
                                        cmocka_unit_test(requests_add_up_until_they_are_made),
                                        cmocka_unit_test(what_a_key_does_not_name_it_leaves),
                                        cmocka_unit_test(scales_are_those_of_the_digits)};
