@@ -172,9 +172,10 @@ static void usb_arrive(struct usb *u, unsigned others)
         usb_take(u, &u->in[i], d->in, USB_BYTES, usb_received);
     usb_take(u, &u->out, d->out, STREAM_HEADER, usb_sent);
     u->stalls = 0;
+    bool any = !*u->serial;
     snprintf(u->serial, sizeof u->serial, "%s", d->serial);
     snprintf(u->name, sizeof u->name, "usb:%s", d->serial);
-    if (others)
+    if (others && any)
         fprintf(stderr, "%s: taken; there %s %u more, --list lists them and --serial chooses\n", u->name,
                 others == 1 ? "is" : "are", others);
     u->told = LIBUSB_ERROR_NOT_FOUND;
