@@ -257,6 +257,12 @@ static int session_open(struct session *s, const struct options *o)
     return code;
 }
 
+int session_keep(struct session *s)
+{
+    int recorded = record_close(&s->record, true), saved = save_close(&s->save);
+    return recorded ? recorded : saved;
+}
+
 int session_run(struct session *s, const struct options *options)
 {
     s->code = session_open(s, options);
@@ -265,8 +271,8 @@ int session_run(struct session *s, const struct options *options)
     int code = s->code;
     if (!code && !cli_interrupted() && !ferror(stdout)) /* which the caller tells */
         code = session_tell(s);
-    int recorded = record_close(&s->record, true), saved = save_close(&s->save);
-    code = code ? code : recorded ? recorded : saved;
+    int kept = session_keep(s);
+    code = code ? code : kept;
     live_close(&s->live);
     frames_close(&s->frames);
     if (s->port.ops)

@@ -48,4 +48,7 @@ void session_send(struct session *session, enum stream_type type, uint32_t value
  * from here on. */
 int session_run(struct session *session, const struct options *options);
 
+/* What is recorded and saved so far is kept, and no more is: an exit code, with a message. Harmless when it is done. */
+int session_keep(struct session *session);
+
 #endif

@@ -298,6 +298,19 @@ def keys_are_the_device_s_buttons(screen):
         verdict("which stays until it is closed", None if code == 0 and not err else f"{code}: {err}")
 
 
+def a_screen_that_goes_takes_no_recording_with_it(screen, pictures):
+    before = set(os.listdir("."))
+    with View(screen, "-", "--record", "kept.png", "--save", "kept.stream", "--scale", "4", stdin=subprocess.PIPE) as run:
+        run.window.keys("o")
+        run.feed(read("rgb565.stream"))
+        run.shows(enlarged(pictures[-1], WIDTH, 4))
+        screen.close()
+        run.ends()
+    verdict("a screen that goes takes no recording with it",
+            None if set(os.listdir(".")) - before == {"kept.png", "kept.stream"} and read("kept.png").endswith(b"IEND\xaeB\x60\x82") and
+            read("kept.stream") == read("rgb565.stream") else set(os.listdir(".")) - before)
+
+
 def main():
     folder = os.getcwd() + "/screen"
     os.mkdir(folder)
@@ -311,6 +324,7 @@ def main():
         one_picture_after_another(screen, pictures)
         another_size_makes_another_window(screen, pictures)
         keys_are_the_device_s_buttons(screen)
+        a_screen_that_goes_takes_no_recording_with_it(screen, pictures)
     finally:
         screen.close()
 
