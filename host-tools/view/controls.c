@@ -91,6 +91,7 @@ static void controls_once(struct controls *c, int key, int step)
 void controls_press(struct controls *c, int key, bool shift, bool again)
 {
     c->buttons |= controls_button(key);
+    c->taps |= controls_button(key);
     switch (key) {
     case '.':
         c->paused = true;

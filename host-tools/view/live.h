@@ -20,6 +20,7 @@ struct live_picture {
     struct frames_picture picture; /* pixels null: none */
     uint8_t *pixels;
     size_t room;
+    unsigned connections; /* of the port, when it came */
 };
 
 struct live {

@@ -15,7 +15,7 @@
 
 static bool session_enough(const struct session *s)
 {
-    return s->code != CLI_DONE || (s->options->frames && s->pictures >= s->options->frames);
+    return s->code != CLI_DONE || ferror(stdout) || (s->options->frames && s->pictures >= s->options->frames);
 }
 
 /* What a picture shows is asked for no more where there is a window: the device's own buttons may change it again. */
@@ -32,7 +32,7 @@ static bool session_obeyed(struct session *s, const struct frames_picture *p)
 }
 
 /* Each line as its picture comes: behind a pipe, too, somebody waits for it, or does no longer. */
-static void session_trace(struct session *s, const struct frames_picture *p)
+static void session_trace(const struct frames_picture *p)
 {
     size_t bytes = unpack_row_bytes(p->format, p->width) * p->height;
     printf("%u: %ux%u %s%s, moment %u ms, %u bytes, drawn in %u us, packed in %u us, %u of %u triangles, %u dropped, "
@@ -41,8 +41,7 @@ static void session_trace(struct session *s, const struct frames_picture *p)
            (unsigned)p->moment_ms, (unsigned)p->bytes, (unsigned)p->draw_us, (unsigned)p->pack_us, (unsigned)p->drawn,
            (unsigned)p->triangles, (unsigned)p->dropped, (unsigned)p->skipped,
            (unsigned)scene_crc32(0, p->pixels, bytes));
-    if (fflush(stdout) != 0)
-        s->code = CLI_IO;
+    fflush(stdout);
 }
 
 static void session_picture(void *context, const struct frames_picture *p)
@@ -50,9 +49,10 @@ static void session_picture(void *context, const struct frames_picture *p)
     struct session *s = context;
     const struct options *o = s->options;
     s->obeyed = session_obeyed(s, p);
+    s->counts = s->obeyed || (s->counts && s->live.window);
     if (s->live.window)
         live_picture(s, p);
-    if (session_enough(s) || !s->obeyed)
+    if (session_enough(s) || !s->counts)
         return;
     s->counted += p->bytes;
     if (o->dump && s->pictures == 0)
@@ -64,7 +64,7 @@ static void session_picture(void *context, const struct frames_picture *p)
         s->code = recorded;
     s->pictures++;
     if (o->trace)
-        session_trace(s, p);
+        session_trace(p);
 }
 
 static void session_log(void *context, const char *text, uint32_t length)
@@ -94,8 +94,10 @@ static void session_hello(void *context, const char *text, uint32_t length)
     struct session *s = context;
     bool first = s->names.length == 0;
     names_set(&s->names, text, length);
-    if (first && s->options->names)
+    if (first && s->options->names) {
         names_print(&s->names);
+        fflush(stdout); /* a signal may end this before anything else does */
+    }
     if (!first && s->live.window) /* which may have asked for others since */
         return;
     session_choose(s, NAMES_SCENES, s->options->scene, &s->wishes[SESSION_SCENE]);
@@ -261,7 +263,7 @@ int session_run(struct session *s, const struct options *options)
     while (!session_enough(s) && !cli_interrupted() && !s->frames.parser.out_of_memory && session_step(s))
         ;
     int code = s->code;
-    if (!code && !cli_interrupted())
+    if (!code && !cli_interrupted() && !ferror(stdout)) /* which the caller tells */
         code = session_tell(s);
     int recorded = record_close(&s->record, true), saved = save_close(&s->save);
     code = code ? code : recorded ? recorded : saved;

@@ -66,6 +66,7 @@ int window_open(struct window **out)
         return window_problem("display", "none can be opened");
     w->window = SDL_CreateWindow("Glint", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, WINDOW_WIDTH, WINDOW_HEIGHT,
                                  SDL_WINDOW_HIDDEN | SDL_WINDOW_RESIZABLE);
+    SDL_StopTextInput(); /* which begins by itself: an input method would keep the letters, which are buttons here */
     /* without waiting for the screen, which for a covered window may be for ever */
     w->renderer = w->window ? SDL_CreateRenderer(w->window, -1, 0) : NULL;
     return w->renderer ? CLI_DONE : window_problem("window", SDL_GetError());

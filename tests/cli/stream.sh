@@ -38,6 +38,8 @@ run 'one loop is the default' 0 "$glint" render "$demo" --size 8x8 --fps 5 --str
 run 'of 4 s at 5 frames a second' 0 "$view" file:loop.stream --trace
 matches 'that are listed' "$top/out" '^19: 8x8 rgb888, moment 3800 ms, [0-9]+ bytes'
 matches 'and counted' "$top/out" '^20 pictures, [0-9]+ bytes each, 0 lost$'
+run 'a list that cannot be written is reported' 3 sh -c "'$view' file:loop.stream --trace >/dev/full"
+matches 'as standard output' "$top/err" '^standard output: '
 run 'names are printed' 0 "$view" file:loop.stream --names --frames 1
 matches 'of the methods' "$top/out" '^method x-perspective$'
 
