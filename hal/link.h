@@ -3,7 +3,7 @@
  * A way for pictures to one other end that comes and goes, as a USB host does. Nothing here waits: a picture that
  * cannot be taken whole is left out. hal/linux/usb_stream.h is one.
  *
- * All calls come from one thread: read, as often as there is something; begin, and if it takes the picture, write as
+ * All calls come from one thread: read, before every picture; begin, and if it takes the picture, write as
  * often as there are pieces.
  */
 #ifndef HAL_LINK_H

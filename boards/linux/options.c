@@ -50,7 +50,7 @@ const struct option_text options_text[OPTIONS] = {
     {"frames", "N", "end after so many pictures, 1..1000000"},
     {"test-pattern", NULL, "colour bars with a white edge, until stopped"},
     {"off", NULL, "panel dark and in reset: what a crash may have left undone"},
-    {"list", NULL, "panels, scenes, methods, and this machine's GPIO chips and SPI devices"},
+    {"list", NULL, "panels, scenes, methods, and this machine's GPIO chips, SPI devices and USB device controllers"},
     {"help", NULL, "this"},
 };
 

@@ -81,16 +81,13 @@ static int main_send(void *context, const void *bytes, size_t size)
     return 0;
 }
 
-/* What the other end of the serial line wants. */
+/* What the other end of the line wants. One look a picture: who talks without end stops nothing. */
 static unsigned main_hear(struct app *app)
 {
-    uint8_t bytes[STREAM_HEADER];
-    unsigned effect = 0;
+    uint8_t bytes[6 * STREAM_HEADER];
     struct hal_link *link = app->board->link;
-    for (int32_t count;
-         (count = link ? link->ops->read(link, bytes, sizeof bytes) : (int32_t)serial_read(bytes, sizeof bytes)) != 0;)
-        effect |= remote_hear(app, bytes, count);
-    return effect;
+    return remote_hear(app, bytes,
+                       link ? link->ops->read(link, bytes, sizeof bytes) : (int32_t)serial_read(bytes, sizeof bytes));
 }
 
 /* X where it is linked, else the first. */

@@ -241,6 +241,8 @@ int show_frame(struct app *app)
             return share_draw(share);
     }
     int result = show_alone(app, app->control.test || app->problem ? show_plain : show_scene);
+    if (result) /* the other end has not all of it either */
+        app->remote.stream.key |= app->remote.sending;
     remote_end(app);
     return result;
 }

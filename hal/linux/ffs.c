@@ -20,28 +20,39 @@ struct ffs_function {
     struct usb_interface_descriptor interface;
     struct usb_endpoint_descriptor_no_audio in, out;
 } __attribute__((packed));
+struct ffs_super_function {
+    struct usb_interface_descriptor interface;
+    struct usb_endpoint_descriptor_no_audio in;
+    struct usb_ss_ep_comp_descriptor in_beside;
+    struct usb_endpoint_descriptor_no_audio out;
+    struct usb_ss_ep_comp_descriptor out_beside;
+} __attribute__((packed));
 
 #define FFS_ENDPOINT(address, size)                                                                     \
     {                                                                                                   \
         .bLength = sizeof(struct usb_endpoint_descriptor_no_audio), .bDescriptorType = USB_DT_ENDPOINT, \
         .bEndpointAddress = (address), .bmAttributes = USB_ENDPOINT_XFER_BULK, .wMaxPacketSize = (size) \
     }
-#define FFS_FUNCTION(size)                                                          \
-    {                                                                               \
-        {.bLength = USB_DT_INTERFACE_SIZE,                                          \
-         .bDescriptorType = USB_DT_INTERFACE,                                       \
-         .bNumEndpoints = 2,                                                        \
-         .bInterfaceClass = FFS_CLASS,                                              \
-         .bInterfaceSubClass = FFS_SUBCLASS,                                        \
-         .bInterfaceProtocol = FFS_PROTOCOL,                                        \
-         .iInterface = 1},                                                          \
-            FFS_ENDPOINT(USB_DIR_IN | 1, size), FFS_ENDPOINT(USB_DIR_OUT | 2, size) \
+#define FFS_INTERFACE                                                                                         \
+    {                                                                                                         \
+        .bLength = USB_DT_INTERFACE_SIZE, .bDescriptorType = USB_DT_INTERFACE, .bNumEndpoints = 2,            \
+        .bInterfaceClass = FFS_CLASS, .bInterfaceSubClass = FFS_SUBCLASS, .bInterfaceProtocol = FFS_PROTOCOL, \
+        .iInterface = 1                                                                                       \
+    }
+#define FFS_FUNCTION(size)                                                                     \
+    {                                                                                          \
+        FFS_INTERFACE, FFS_ENDPOINT(USB_DIR_IN | 1, size), FFS_ENDPOINT(USB_DIR_OUT | 2, size) \
+    }
+#define FFS_BESIDE                                                                    \
+    {                                                                                 \
+        .bLength = USB_DT_SS_EP_COMP_SIZE, .bDescriptorType = USB_DT_SS_ENDPOINT_COMP \
     }
 
 static const struct {
     struct usb_functionfs_descs_head_v2 head;
-    uint32_t full_speed_count, high_speed_count, os_count;
+    uint32_t full_speed_count, high_speed_count, super_speed_count, os_count;
     struct ffs_function full_speed, high_speed;
+    struct ffs_super_function super_speed;
     struct {
         struct usb_os_desc_header head;
         struct usb_ext_compat_desc id;
@@ -56,12 +67,16 @@ static const struct {
 } __attribute__((packed)) ffs_descriptors = {
     .head = {.magic = FUNCTIONFS_DESCRIPTORS_MAGIC_V2,
              .length = sizeof ffs_descriptors,
-             .flags = FUNCTIONFS_HAS_FS_DESC | FUNCTIONFS_HAS_HS_DESC | FUNCTIONFS_HAS_MS_OS_DESC},
+             .flags =
+                 FUNCTIONFS_HAS_FS_DESC | FUNCTIONFS_HAS_HS_DESC | FUNCTIONFS_HAS_SS_DESC | FUNCTIONFS_HAS_MS_OS_DESC},
     .full_speed_count = 3,
     .high_speed_count = 3,
+    .super_speed_count = 5, /* without them a controller that is faster has no configuration */
     .os_count = 2,
     .full_speed = FFS_FUNCTION(64),
     .high_speed = FFS_FUNCTION(512),
+    .super_speed = {FFS_INTERFACE, FFS_ENDPOINT(USB_DIR_IN | 1, 1024), FFS_BESIDE, FFS_ENDPOINT(USB_DIR_OUT | 2, 1024),
+                    FFS_BESIDE},
     .compatible = {{.dwLength = sizeof ffs_descriptors.compatible, .bcdVersion = 1, .wIndex = 4, .bCount = 1},
                    {.Reserved1 = 1, .CompatibleID = "WINUSB"}},
     .properties = {{.dwLength = sizeof ffs_descriptors.properties, .bcdVersion = 1, .wIndex = 5, .wCount = 1},

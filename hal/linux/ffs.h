@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The function of a USB gadget: one interface of a vendor's class, 47 01, with a bulk endpoint either way, at full and
- * high speed. Windows binds WinUSB to it by itself (Microsoft OS descriptors 1.0; a BOS, which 2.0 wants, is the
- * kernel's own and not to be extended).
+ * The function of a USB gadget: one interface of a vendor's class, 47 01, with a bulk endpoint either way, at full,
+ * high and super speed. Windows binds WinUSB to it by itself (Microsoft OS descriptors 1.0; a BOS, which 2.0 wants, is
+ * the kernel's own and not to be extended).
  */
 #ifndef HAL_LINUX_FFS_H
 #define HAL_LINUX_FFS_H
@@ -11,7 +11,7 @@
 
 #include <stdint.h>
 
-#define FFS_PACKET 64u /* bytes: of full speed, and a divisor of high speed's 512 */
+#define FFS_PACKET 64u /* bytes: of full speed, and a divisor of the others' 512 and 1024 */
 
 enum ffs_event {
     FFS_NOTHING, /* that concerns the stream */

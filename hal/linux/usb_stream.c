@@ -12,6 +12,8 @@
 #define PAUSE_US    10000u
 #define DRAIN_US    500000u
 #define READ_PIECES 512u /* a packet of high speed */
+#define FIRST       100u /* bytes of a picture that go alone: fewer than any has, more than a controller takes ahead */
+#define LATE        60u  /* pictures: a host that lets so many be left out was not reading */
 
 static struct timespec usb_stream_after(uint32_t us)
 {
@@ -33,6 +35,7 @@ static void usb_stream_forget(struct usb_stream *u)
 {
     u->sent = u->leaving = u->begun_at = u->written;
     u->read = u->heard;
+    u->left_out = u->late = 0;
 }
 
 /* An endpoint refused, during the connection of that number. It is over, and the next is told by an event; or it is
@@ -78,15 +81,18 @@ static void *usb_stream_events(void *argument)
 }
 
 /* What is to leave next, copied: how many bytes. A transfer of the host's ends with a packet that is not full: where
- * nothing follows yet, the last byte stays behind to make it so, and then goes alone. */
-static uint32_t usb_stream_piece(struct usb_stream *u)
+ * nothing follows yet, the last byte stays behind to make it so, and then goes alone. `first`: of a picture, of which
+ * no more goes with it. */
+static uint32_t usb_stream_piece(struct usb_stream *u, int first)
 {
     uint64_t waiting = u->written - u->sent;
-    uint32_t count = waiting < USB_STREAM_PIECE ? (uint32_t)waiting : USB_STREAM_PIECE;
+    uint64_t whole = first ? FIRST : u->sent < u->begun_at ? u->begun_at - u->sent : USB_STREAM_PIECE;
+    whole = whole < waiting ? whole : waiting;
+    uint32_t count = whole < USB_STREAM_PIECE ? (uint32_t)whole : USB_STREAM_PIECE;
     count -= count == waiting && count % FFS_PACKET == 0;
-    uint32_t at = (uint32_t)(u->sent % u->size), first = count < u->size - at ? count : u->size - at;
-    memcpy(u->piece, u->queue + at, first);
-    memcpy(u->piece + first, u->queue, count - first);
+    uint32_t at = (uint32_t)(u->sent % u->size), part = count < u->size - at ? count : u->size - at;
+    memcpy(u->piece, u->queue + at, part);
+    memcpy(u->piece + part, u->queue, count - part);
     return count;
 }
 
@@ -96,6 +102,20 @@ static void usb_stream_gather(struct usb_stream *u)
     struct timespec until = usb_stream_after(GATHER_US);
     while (!u->stop && u->there && u->written - u->sent < GATHER && usb_stream_wait(u, &until))
         ;
+}
+
+/* A piece was taken. If only now somebody reads, the pictures that have waited for him are of another time: a picture's
+ * first bytes, and none of what is behind them, go to who has read nothing of it. */
+static void usb_stream_taken(struct usb_stream *u, uint32_t count, int first)
+{
+    u->sent += count;
+    u->late |= u->left_out > LATE;
+    if (u->late && (first || u->sent == u->begun_at)) {
+        usb_stream_forget(u);
+        u->arrived++;
+    } else if (u->sent == u->written) {
+        u->late = 0;
+    }
 }
 
 static void *usb_stream_sends(void *argument)
@@ -110,15 +130,17 @@ static void *usb_stream_sends(void *argument)
         usb_stream_gather(u);
         if (u->written == u->sent)
             continue;
-        uint32_t count = usb_stream_piece(u), connection = u->arrived;
+        int first = u->sent == u->begun_at;
+        uint32_t count = usb_stream_piece(u, first), connection = u->arrived;
         u->leaving = u->sent + count;
+        u->left_out = 0;
         pthread_mutex_unlock(&u->mutex);
         long result = ffs_send(&u->ffs, u->piece, count);
         pthread_mutex_lock(&u->mutex);
         if (connection != u->arrived || !u->there)
             continue;
         if (result == (long)count)
-            u->sent += count;
+            usb_stream_taken(u, count, first);
         else
             usb_stream_refused(u, result);
         pthread_cond_broadcast(&u->change);
@@ -179,6 +201,7 @@ static uint32_t usb_stream_begin(struct hal_link *link, uint32_t *skipped)
     if (takes)
         u->begun_at = u->written;
     *skipped += knows - takes;
+    u->left_out += knows - takes;
     pthread_mutex_unlock(&u->mutex);
     return takes;
 }

@@ -2,7 +2,7 @@
 /*
  * A link (link.h) to a USB host. What is written is copied into a queue that a thread empties, so nobody waits for a
  * host that does not read: at most one whole picture is in the queue behind the one that is leaving it, and those after
- * them are left out. A host that goes takes the queue's contents with it.
+ * them are left out. A host that goes takes the queue's contents with it; one that reads again after long begins anew.
  */
 #ifndef HAL_LINUX_USB_STREAM_H
 #define HAL_LINUX_USB_STREAM_H
@@ -40,6 +40,8 @@ struct usb_stream {
     uint32_t size, frame_most; /* bytes; size: of the queue, two of the other */
     uint64_t written, sent;    /* bytes: into the queue, and taken by the host */
     uint64_t leaving;          /* bytes: given to the kernel */
+    uint32_t left_out;         /* pictures, since the kernel was given the last bytes */
+    uint8_t late;              /* the host took them late: what is in the queue is old */
     uint64_t begun_at;         /* bytes before the last picture */
     uint64_t heard, read;      /* bytes: from the host, and told */
     uint8_t host[USB_STREAM_HEARD];

@@ -43,6 +43,7 @@ struct usb_machine {
     /* the host */
     int configured, reads;       /* configured: the number of this time, or 0; reads: what is sent is taken */
     int connections, interrupts; /* interrupts: so many transfers to the host end without having been */
+    int takes, waits;            /* takes: so many go even if it does not read; waits: one does */
     uint8_t *got;                /* room for USB_HOST_BYTES */
     size_t got_size, last_size, transfers;
     uint8_t sends[8192]; /* on its way to the device */
@@ -367,8 +368,12 @@ long files_write(int descriptor, const void *bytes, size_t size)
             memcpy(usb_machine.told, bytes, usb_machine.told_size = size);
     } else if (descriptor == USB_IN && usb_machine.configured) {
         int connection = usb_machine.configured;
-        while (usb_machine.configured == connection && !usb_machine.reads)
+        while (usb_machine.configured == connection && !usb_machine.reads && !usb_machine.takes) {
+            usb_machine.waits = 1;
             pthread_cond_wait(&usb_machine.change, &usb_machine.mutex);
+        }
+        usb_machine.waits = 0;
+        usb_machine.takes -= usb_machine.takes > 0;
         result = -ESHUTDOWN;
         if (usb_machine.configured == connection && usb_machine.interrupts) {
             usb_machine.interrupts--;

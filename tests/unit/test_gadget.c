@@ -26,25 +26,36 @@ static uint32_t told32(size_t at)
     return value;
 }
 
-/* functionfs.h has the layout: header, three counts, the speeds, then what Windows is told. */
-static void the_kernel_is_told_of_both_speeds_and_of_winusb(void **state)
+/* functionfs.h has the layout: header, four counts, the speeds, then what Windows is told. */
+static void the_kernel_is_told_of_three_speeds_and_of_winusb(void **state)
 {
-    const uint8_t *at = usb_machine.told + 24;
-    static const uint16_t packets[] = {64, 512};
+    const uint8_t *at = usb_machine.told + 28;
+    static const uint16_t packets[] = {64, 512, 1024};
+    static const uint8_t beside[] = {6, 0x30, 0, 0, 0, 0}; /* an endpoint of super speed */
     (void)state;
     assert_int_equal(told32(0), FUNCTIONFS_DESCRIPTORS_MAGIC_V2);
     assert_int_equal(told32(4), usb_machine.told_size);
-    assert_int_equal(told32(8), FUNCTIONFS_HAS_FS_DESC | FUNCTIONFS_HAS_HS_DESC | FUNCTIONFS_HAS_MS_OS_DESC);
+    assert_int_equal(told32(8), FUNCTIONFS_HAS_FS_DESC | FUNCTIONFS_HAS_HS_DESC | FUNCTIONFS_HAS_SS_DESC |
+                                    FUNCTIONFS_HAS_MS_OS_DESC);
     assert_int_equal(told32(12), 3);
     assert_int_equal(told32(16), 3);
-    assert_int_equal(told32(20), 2);
-    for (int speed = 0; speed < 2; speed++, at += 23) {
+    assert_int_equal(told32(20), 5);
+    assert_int_equal(told32(24), 2);
+    for (int speed = 0; speed < 3; speed++, at += 7) {
         const uint8_t interface[] = {9, 4, 0, 0, 2, 0xFF, 0x47, 1, 1};
         const uint8_t in[] = {7, 5, 0x81, 2, (uint8_t)packets[speed], (uint8_t)(packets[speed] >> 8), 0};
         assert_memory_equal(at, interface, 9);
+        const uint8_t out[] = {7, 5, 0x02, 2, (uint8_t)packets[speed], (uint8_t)(packets[speed] >> 8), 0};
         assert_memory_equal(at + 9, in, 7);
-        assert_int_equal(at[18], 0x02);
+        at += 16;
+        if (speed == 2) {
+            assert_memory_equal(at, beside, 6);
+            assert_memory_equal(at + 13, beside, 6);
+            at += 6;
+        }
+        assert_memory_equal(at, out, 7);
     }
+    at += 6;
     const uint8_t compatible[] = {0, 35, 0, 0, 0, 1, 0, 4, 0, 1, 0, 0, 1, 'W', 'I', 'N', 'U', 'S', 'B', 0, 0};
     assert_memory_equal(at, compatible, sizeof compatible);
     at += 35;
@@ -153,7 +164,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         WITH_DEVICE(the_machine_is_plugged_in_with_its_names),
-        WITH_DEVICE(the_kernel_is_told_of_both_speeds_and_of_winusb),
+        WITH_DEVICE(the_kernel_is_told_of_three_speeds_and_of_winusb),
         cmocka_unit_test(what_a_machine_lacks_is_told),
         cmocka_unit_test(what_a_killed_program_left_is_cleared_away),
         cmocka_unit_test(another_program_is_not_disturbed),

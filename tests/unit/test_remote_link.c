@@ -76,8 +76,11 @@ uint32_t stack_used(void)
 }
 void stack_check(void) {}
 
-/* A display that shows what it was given. */
+/* A display that shows what it was given, or fails once. */
 static uint8_t shown[PICTURE];
+static uint32_t fails_in, fails_at; /* the picture, from 1 on; the row */
+
+static int display_fails(uint32_t y);
 
 static int display_open(struct hal_display *display, uint16_t width, uint16_t height, enum hal_pixel_format format)
 {
@@ -89,7 +92,7 @@ static int display_flush(struct hal_display *display, const void *pixels, uint16
 {
     (void)display;
     memcpy(shown + y * stride, pixels, rows * stride);
-    return 0;
+    return display_fails(y) ? HAL_E_IO : 0;
 }
 
 static int display_close(struct hal_display *display, int keep)
@@ -111,6 +114,7 @@ static struct {
     uint32_t bytes;                   /* of the picture under way */
     uint8_t says[256];                /* to the device, before the picture says_at */
     uint32_t says_count, says_at;
+    uint32_t talks, reads; /* talks: there is always more to read; reads: since the last picture */
     struct frames frames;
     struct {
         uint32_t number, skipped, moment_ms;
@@ -123,6 +127,13 @@ static struct {
     int still;
 } line;
 
+static int display_fails(uint32_t y)
+{
+    int fails = fails_in && line.begun == fails_in && y >= fails_at;
+    fails_in = fails ? 0 : fails_in;
+    return fails;
+}
+
 static uint32_t line_begin(struct hal_link *link, uint32_t *skipped)
 {
     assert_ptr_equal(link, &line.link);
@@ -131,6 +142,7 @@ static uint32_t line_begin(struct hal_link *link, uint32_t *skipped)
     line.taken = answer == '!' || answer == '+';
     *skipped += answer == '-';
     line.bytes = 0;
+    line.reads = 0;
     if (answer == '!') {
         const struct frames_events events = line.frames.events;
         frames_close(&line.frames);
@@ -163,6 +175,11 @@ static int32_t line_read(struct hal_link *link, void *bytes, uint32_t size)
     if (line.answers[line.begun] == '!' && line.told != line.begun + 1) {
         line.told = line.begun + 1;
         return HAL_LINK_COMES;
+    }
+    if (line.talks) {
+        assert_in_range(++line.reads, 1, 1000);
+        memset(bytes, 0x55, size);
+        return (int32_t)size;
     }
     if (line.begun < line.says_at)
         return 0;
@@ -230,7 +247,7 @@ static void run(const char *answers)
                                 .log = stream_log};
     struct app_start start;
     app_usual(&start);
-    start.pictures = (uint32_t)strlen(answers);
+    start.pictures = (uint32_t)strlen(answers) - (fails_in != 0);
     start.step_us = 40000;
     line.link.ops = &ops;
     start.control.running = !line.still;
@@ -239,7 +256,7 @@ static void run(const char *answers)
     frames_open(&line.frames, &events);
     reports[0] = 0;
     assert_int_equal(app_run(&board, &start), 0);
-    assert_int_equal(line.begun, start.pictures);
+    assert_int_equal(line.begun, strlen(answers));
     assert_int_equal(line.wrong, 0);
     frames_close(&line.frames);
 }
@@ -320,6 +337,21 @@ static void a_link_that_breaks_in_a_picture_loses_that_one(void **state)
     fail_msg("no picture was short enough");
 }
 
+/* At every band: what has come of the picture is of no use, and nothing refers to it. */
+static void a_display_that_fails_in_a_picture_loses_that_one(void **state)
+{
+    (void)state;
+    for (uint32_t y = 0; y < HEIGHT; y += BAND_ROWS) {
+        forget(NULL);
+        fails_in = 3;
+        fails_at = y;
+        run("!+++++");
+        assert_int_equal(line.pictures, y + BAND_ROWS < HEIGHT ? 5 : 6);
+        assert_int_equal(line.picture[2].key, y + BAND_ROWS < HEIGHT);
+        assert_int_equal(line.picture[3].key, y + BAND_ROWS >= HEIGHT);
+    }
+}
+
 static void a_key_frame_is_sent_when_asked_for(void **state)
 {
     (void)state;
@@ -342,6 +374,14 @@ static void pictures_echo_the_last_request_of_this_connection(void **state)
     static const uint16_t echoes[] = {0, 0, 8, 8, 0, 0};
     for (int i = 0; i < 6; i++)
         assert_int_equal(line.picture[i].echo, echoes[i]);
+}
+
+static void one_who_talks_without_end_stops_nothing(void **state)
+{
+    (void)state;
+    line.talks = 1;
+    run("!++++");
+    assert_int_equal(line.pictures, 5);
 }
 
 static void reports_go_over_the_link_too(void **state)
@@ -386,8 +426,10 @@ int main(void)
         cmocka_unit_test_setup(what_is_left_out_is_counted_and_spoils_nothing, forget),
         cmocka_unit_test_setup(who_comes_again_begins_with_hello_and_a_key_frame, forget),
         cmocka_unit_test_setup(a_link_that_breaks_in_a_picture_loses_that_one, forget),
+        cmocka_unit_test_setup(a_display_that_fails_in_a_picture_loses_that_one, forget),
         cmocka_unit_test_setup(a_key_frame_is_sent_when_asked_for, forget),
         cmocka_unit_test_setup(pictures_echo_the_last_request_of_this_connection, forget),
+        cmocka_unit_test_setup(one_who_talks_without_end_stops_nothing, forget),
         cmocka_unit_test_setup(reports_go_over_the_link_too, forget),
         cmocka_unit_test_setup(a_standing_picture_reaches_everybody, forget),
         cmocka_unit_test_setup(without_anybody_there_nothing_is_written, forget),

@@ -19,7 +19,7 @@ version = os.path.basename(folder).removeprefix("guest-")
 parts = sys.argv[4:] or {"v1": ["high"], "v2": ["full", "panel"]}[version]
 # The cases of each part. What does not depend on the speed is tried at one of them.
 PARTS = {"high": (cases.pictures, cases.cable, cases.two, cases.bogus),
-         "full": (cases.pictures, cases.sizes, cases.stopped, cases.requests, cases.starts),
+         "full": (cases.pictures, cases.sizes, cases.stopped, cases.requests, cases.starts, cases.faster),
          "panel": usb_panel.CASES}
 failed = 0
 

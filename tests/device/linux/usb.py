@@ -96,7 +96,7 @@ class Usb:
 
     def watch(self, options=""):
         """Starts glint-view."""
-        self.viewer = int(self.do(f"glint-view usb: --headless --trace {options} >/tmp/trace 2>/tmp/said & echo $!"))
+        self.viewer = int(self.do(f": >/tmp/trace; glint-view usb: --headless --trace {options} >/tmp/trace 2>/tmp/said & echo $!"))
 
     def seen(self):
         """The pictures so far of the one that was started."""

@@ -94,10 +94,17 @@ def stopped(usb, glint):
     yield (f"a host does not read for 5 s: {old} pictures from before it stopped, then one that is {drawn} later",
            complaint or (None if 4.5 * RATE < drawn + old < 5.5 * RATE and 0 <= old < 60 else f"jumps {jumps}"))
     lost = shown[-1].number - shown[0].number + 1 - len(shown) if shown else 0
-    yield (f"{skipped} are counted as left out and {lost} were lost, {missing} are missing",
-           None if skipped + lost == missing and lost <= 1 else "not the same")
+    yield (f"{skipped} are counted as left out and {lost} had waited for it too long, {missing} are missing",
+           None if skipped + lost == missing and lost <= 3 else "not the same")
     yield "none of those after it is a wrong one", Pictures(glint, f"{RGB} --size 240x240").complaint(shown)
     yield f"{len(shown) - at} came in the second after it", None if len(shown) - at > .8 * RATE else "too few"
+    seen = []
+    for _ in range(3):
+        usb.do("sleep 3")
+        seen += [p.moment for p in usb.view("--frames 1")[1]]
+    passed = [b - a for a, b in zip(seen, seen[1:])]
+    yield f"who looks every 3 s sees a picture of then: moments {seen}", \
+        None if len(passed) == 2 and min(passed) > .9 * 3 * RATE * STEP and seen[0] - shown[-1].moment > .9 * 3 * RATE * STEP else "old ones"
     status = usb.stop()
     yield "the device ends as always", f"status {status}" if status else usb.left()
 
@@ -206,3 +213,9 @@ def starts(usb, glint):
         complaint or (None if found else "no more") or Pictures(glint, f"{RGB} --size 240x240").complaint(shown)
     status = usb.stop()
     yield "nothing is left of both", f"status {status}" if status else usb.left()
+
+
+def faster(usb, glint):
+    """A controller that can do more than high speed."""
+    usb.do("rmmod dummy_hcd; insmod /modules/dummy_hcd.ko is_super_speed=1")
+    yield from all_right(usb, glint, "super speed", f"{PLAIN} {DEMO}", f"{RGB} --size 240x240", 60)
