@@ -53,8 +53,7 @@ VIEW := $(BUILD)/glint-view
 UNIT_BIN := $(UNIT_SRC:tests/%.c=$(BUILD)/tests/%)
 EXHAUSTIVE_BIN := $(EXHAUSTIVE_SRC:tests/%.c=$(BUILD)/tests/%)
 
-# `make deps-demo all` installs first, also with -j.
-all: | $(filter deps-demo,$(MAKECMDGOALS)) ## Build the command line tools, build/glint and build/glint-view
+all: ## Build the command line tools, build/glint and build/glint-view
 	$(Q)DEPS=manual tests/tools/deps.sh demo || { echo "'make demo' installs them itself" >&2; exit 1; }
 	$(Q)$(MAKE) --no-print-directory tool
 
@@ -63,7 +62,8 @@ demo: deps-demo ## Render the demo (or SCENE=file) into build/demo/
 	$(Q)$(GLINT) demo '$(SCENE)' '$(BUILD)/demo'
 
 view: deps-view ## Build the viewer of streams, build/glint-view, with USB and a window
-	$(Q)$(MAKE) --no-print-directory $(VIEW)
+	$(Q)$(MAKE) --no-print-directory tool
+	@echo "$(VIEW): shows the device on USB, file:PATH or what comes by a pipe; --help has all, in its window h the keys"
 
 test: deps-test ## Run every test; the last line counts them
 	$(Q)tests/tools/run.sh unit fuzz cli models core golden device rp2040 linux docs sanitize bench
@@ -229,5 +229,10 @@ include tests/tools/fuzz.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
-.PHONY: all tool demo view test test-unit test-fuzz fuzz test-cli test-models test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive \
+GOALS := all demo view test test-unit test-fuzz fuzz test-cli test-models test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive \
 	bench bench-boards bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-view deps-test deps-linux image run flash install clean help
+.PHONY: $(GOALS) tool
+# Several are made one after another, also with -j: each calls a make of its own, in the same folder.
+ifneq ($(word 2,$(filter $(GOALS),$(MAKECMDGOALS))),)
+.NOTPARALLEL:
+endif

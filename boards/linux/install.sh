@@ -39,4 +39,6 @@ if [ -z "$root" ]; then
     tell udevadm trigger --subsystem-match=gpio --subsystem-match=spidev
     [ ! -d /run/systemd/system ] || tell systemctl daemon-reload
 fi
-echo "$root$prefix/bin/glint-device: installed; start it now and at every boot: sudo systemctl enable --now glint-device"
+service=glint-device
+! grep -qE '^[[:space:]]*stream[[:space:]]' "$board" || service=glint-device-usb
+echo "$root$prefix/bin/glint-device: installed; start it now and at every boot: sudo systemctl enable --now $service"

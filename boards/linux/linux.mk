@@ -2,7 +2,7 @@
 # Boards that run Linux: firmware/app as a program, build/<flavour>/glint-device-v1 or -v2, by the libgpiod it is for. On
 # an Arm machine it is built for that machine, with its own libgpiod; elsewhere crosswise, for ARMv6 (the first Pi Zero,
 # and all since in 32 bits) or Debian's armhf, with libgpiod fetched into the build folder.
-LINUX_BOARDS := pi-zero-waveshare13 pi-zero-displayhatmini linux-virt
+LINUX_BOARDS := pi-zero-waveshare13 pi-zero-displayhatmini pi-zero-usb linux-virt
 LINUX_SCENES := demo spin-torus800 spin-teapot spin-pawns torus1000 torus288 torus800 sphere690 bulb pawn zigzag teapot896 bench-torus4000
 LINUX_NATIVE := $(filter arm% aarch64,$(shell uname -m))
 LINUX_CROSS := arm-linux-gnueabihf-

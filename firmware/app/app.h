@@ -41,7 +41,7 @@ struct app {
     struct remote remote;
     const char *problem; /* why there is no picture, or null */
     struct share share;
-    uint32_t buttons; /* seen while the last picture was drawn: what is pressed shortly is not missed */
+    uint32_t buttons; /* seen, or told of, since the last picture was begun: what is pressed shortly is not missed */
     uint32_t rate;    /* pictures a second, times 10; 0: none follow one another */
     uint32_t sent;    /* bytes of the last picture that is complete, where the display counts them */
 };

@@ -116,12 +116,12 @@ static int main_loop(struct main_state *state, const struct app_start *start)
     struct app *app = &state->app;
     state->last_us = state->window_us = clock_us();
     for (unsigned effect = CONTROL_DRAW | CONTROL_REPORT; !start->pictures || state->shown < start->pictures;) {
+        effect |= main_hear(app);
         uint32_t now = clock_us(), elapsed = now - state->last_us, buttons = input_buttons() | app->buttons;
         if (buttons & HAL_QUIT)
             return 0;
         if (start->step_us)
             elapsed = state->shown ? start->step_us : 0;
-        effect |= main_hear(app);
         buttons |= remote_buttons(&app->remote, now - state->last_us);
         effect |= control_step(&app->control, buttons, elapsed);
         state->last_us = now;

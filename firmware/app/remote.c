@@ -21,6 +21,7 @@ static unsigned remote_do(struct app *app, const struct stream_request *request)
         app->remote.stream.key = 1;
         return CONTROL_DRAW;
     case STREAM_BUTTONS:
+        app->buttons |= (uint8_t)value; /* they may be released before anybody looks */
         app->remote.buttons = value;
         app->remote.held_us = REMOTE_HELD_US;
         return 0;

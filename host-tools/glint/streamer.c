@@ -31,7 +31,7 @@ static const struct hal_display_ops streamer_ops = {.flush = streamer_flush};
 
 int streamer_step(struct streamer *s, int result)
 {
-    if (result && !cli_interrupted())
+    if (result && !cli_interrupted() && errno != EPIPE) /* whoever looked has seen enough, and closed the window */
         fprintf(stderr, "%s: %s\n", strcmp(s->path, "-") ? s->path : "standard output", strerror(errno ? errno : EIO));
     return result ? CLI_IO : CLI_DONE;
 }

@@ -13,7 +13,7 @@ const struct controls_help controls_help[] = {{"arrows, abxy", "the device's but
                                               {"f, F11", "fullscreen"},
                                               {"space", "the picture: hold, go on"},
                                               {".", "the next picture"},
-                                              {"o", "figures"},
+                                              {"o, shift o", "figures, more of them"},
                                               {"s", "save the picture: picture-NNNN.png"},
                                               {"w", "save the window: window-NNNN.png"},
                                               {"v", "record, end that: recording-NNNN.png"},
@@ -53,7 +53,8 @@ static void controls_once(struct controls *c, int key, int step)
         c->steps = 0;
         break;
     case 'o':
-        c->figures = !c->figures;
+        c->details ^= step < 0;
+        c->figures = step < 0 || !c->figures;
         break;
     case 'h':
     case CONTROLS_F1:
@@ -90,6 +91,7 @@ static void controls_once(struct controls *c, int key, int step)
 void controls_press(struct controls *c, int key, bool shift, bool again)
 {
     c->buttons |= controls_button(key);
+    c->taps |= controls_button(key);
     switch (key) {
     case '.':
         c->paused = true;

@@ -22,8 +22,9 @@ enum controls_key {
 
 struct controls {
     uint32_t buttons;  /* the device's, held now, as in STREAM_BUTTONS */
+    uint32_t taps;     /* pressed, though maybe released again, since this was last zeroed, by who tells the device */
     unsigned rotation; /* quarter turns, clockwise */
-    bool fullscreen, paused, figures, help;
+    bool fullscreen, paused, figures, details, help;
     /* asked for since these were last zeroed, by whoever does it */
     unsigned scale, steps; /* scale: 0: as it is */
     int scene, method, budget;

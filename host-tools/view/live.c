@@ -8,9 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define LIVE_HIDDEN_MS  300. /* that a window without a picture stays hidden: its size is not known */
-#define LIVE_BUTTONS_MS 500. /* between messages of the same buttons: a device lets go of them after a second */
-#define LIVE_WIDTH      240  /* of a window without a picture */
+#define LIVE_HIDDEN_MS  300.  /* that a window without a picture stays hidden: its size is not known */
+#define LIVE_BUTTONS_MS 500.  /* between messages of the same buttons: a device lets go of them after a second */
+#define LIVE_HINT_MS    5000. /* that the figures name the key that lists the keys */
+#define LIVE_WIDTH      240   /* of a window without a picture */
 
 static uint64_t live_us(void)
 {
@@ -26,6 +27,7 @@ int live_open(struct session *s)
     l->controls.fullscreen = o->fullscreen;
     l->scale = o->scale;
     l->opened = cli_clock();
+    l->hint = l->opened + LIVE_HINT_MS;
     l->words = true;
     return window_open(&l->window);
 }
@@ -54,6 +56,7 @@ void live_picture(struct session *s, const struct frames_picture *p)
     memcpy(next->pixels, p->pixels, bytes);
     next->picture = *p;
     next->picture.pixels = next->pixels;
+    next->connections = s->connections;
     l->waits = true;
 }
 
@@ -106,10 +109,15 @@ static bool live_show(struct session *s)
 static void live_buttons(struct session *s)
 {
     struct live *l = &s->live;
+    struct controls *c = &l->controls;
     double now = cli_clock();
-    if (!s->port.there || (l->controls.buttons == l->done.buttons && now - l->told < LIVE_BUTTONS_MS))
+    const bool tapped = c->taps & ~c->buttons;
+    if (s->port.there && tapped)
+        session_send(s, STREAM_BUTTONS, c->buttons | c->taps);
+    c->taps = 0;
+    if (!s->port.there || (!tapped && c->buttons == l->done.buttons && now - l->told < LIVE_BUTTONS_MS))
         return;
-    session_send(s, STREAM_BUTTONS, l->controls.buttons);
+    session_send(s, STREAM_BUTTONS, c->buttons);
     l->told = now;
 }
 
@@ -130,6 +138,7 @@ static void live_ask(struct session *s)
     const uint32_t scene = wishes[SESSION_SCENE] == OPTIONS_NONE ? p->scene : wishes[SESSION_SCENE];
     const uint32_t method = wishes[SESSION_METHOD] == OPTIONS_NONE ? p->method : wishes[SESSION_METHOD];
     const uint32_t budget = wishes[SESSION_BUDGET] == OPTIONS_NONE ? p->budget : wishes[SESSION_BUDGET];
+    const uint32_t paused = wishes[SESSION_PAUSE] == OPTIONS_NONE ? p->paused : wishes[SESSION_PAUSE];
     if (s->port.asks && p->pixels) {
         if (c->scene)
             session_wish(s, SESSION_SCENE, live_place(&s->names, NAMES_SCENES, scene, c->scene));
@@ -139,7 +148,7 @@ static void live_ask(struct session *s)
         if (c->budget)
             session_wish(s, SESSION_BUDGET, wanted < 1 ? 1 : wanted > 255 ? 255 : (uint32_t)wanted);
         if (c->motion)
-            session_wish(s, SESSION_PAUSE, !p->paused);
+            session_wish(s, SESSION_PAUSE, !paused);
     }
     c->scene = c->method = c->budget = 0;
     c->motion = false;
@@ -147,8 +156,9 @@ static void live_ask(struct session *s)
 
 static void live_note(struct live *l, const char *what, const char *name)
 {
-    char line[64];
-    live_log(l, line, (size_t)snprintf(line, sizeof line, "%s %s", what, name));
+    char line[OVERLAY_COLUMNS + 1]; /* a longer name is cut off */
+    snprintf(line, sizeof line, "%s %s", what, name);
+    live_log(l, line, strlen(line));
 }
 
 bool live_film_ended(struct live *l)
@@ -165,8 +175,8 @@ static void live_film(struct session *s)
 {
     struct live *l = &s->live;
     if (s->record.path) {
-        const char *name = s->record.path;
-        live_note(l, record_close(&s->record, true) ? "cannot write" : "saved", name);
+        const char *name = s->record.path, *done = s->record.pictures ? "saved" : "no picture for";
+        live_note(l, record_close(&s->record, true) ? "cannot write" : done, name);
         l->film[0] = 0;
     } else {
         dump_name(l->film, "recording");
@@ -220,7 +230,7 @@ static void live_change(struct session *s)
         c->steps--;
     }
     if (c->rotation != l->done.rotation || c->paused != l->done.paused || c->figures != l->done.figures ||
-        c->help != l->done.help)
+        c->details != l->done.details || c->help != l->done.help)
         l->words = true;
 }
 
@@ -231,22 +241,25 @@ static void live_words(struct session *s)
                                   .names = &s->names,
                                   .picture = l->shown.picture.pixels ? &l->shown.picture : NULL,
                                   .meter = &l->meter,
-                                  .lost = s->frames.lost};
+                                  .lost = s->frames.lost,
+                                  .details = l->controls.details};
     struct overlay_text text[OVERLAY_PLACES] = {{.count = 0}};
     char title[128];
     status_title(&status, title, sizeof title);
     window_title(l->window, title);
-    if (l->controls.figures)
+    if (l->controls.figures && !l->controls.help)
         status_figures(&status, &text[OVERLAY_TOP]);
     if (l->controls.help)
         status_keys(&text[OVERLAY_MIDDLE]);
     else if (!s->port.there)
         overlay_add(&text[OVERLAY_MIDDLE], "waiting for %s%s%s", s->port.name, s->port.why ? ": " : "",
                     s->port.why ? s->port.why : "");
-    else if (!l->shown.picture.pixels)
+    else if (!l->shown.picture.pixels || l->shown.connections != s->port.connections)
         overlay_add(&text[OVERLAY_MIDDLE], "no picture so far");
     else if (s->ended && s->port.asks)
         overlay_add(&text[OVERLAY_MIDDLE], "%s has gone", s->port.name);
+    if (l->controls.figures && !l->controls.help && (!l->shown.picture.pixels || cli_clock() < l->hint))
+        overlay_add(&text[OVERLAY_BOTTOM], "h lists the keys");
     status_list(&l->notes, &text[OVERLAY_BOTTOM]);
     if (l->controls.paused && l->controls.figures)
         overlay_add(&text[OVERLAY_BOTTOM], "held: space lets it go on");
@@ -266,19 +279,19 @@ bool live_step(struct session *s)
     live_change(s);
     live_write(s);
     bool there = s->port.there && !(s->ended && s->port.asks);
-    if (l->there != there) {
-        window_dim(l->window, !there);
-        l->words = true;
-    }
-    l->words |= l->why != s->port.why;
+    l->words |= l->there != there || l->why != s->port.why;
     l->there = there;
     l->why = s->port.why;
     /* pictures that come one by one are told one by one */
-    bool single = s->ended || l->controls.paused || !l->shown.picture.pixels, shown = live_show(s);
+    bool single =
+        s->ended || l->controls.paused || l->shown.connections != s->port.connections || !l->shown.picture.pixels;
+    bool shown = live_show(s);
     if (cli_clock() - l->opened > LIVE_HIDDEN_MS && !l->shown.picture.pixels && l->opened > 0.) {
         live_size(l);
         l->opened = 0.;
     }
+    bool current = l->shown.connections == s->port.connections;
+    window_dim(l->window, !there || !current);
     bool figures = meter_turn(&l->meter, cli_clock()), forgotten = status_forget(&l->notes, cli_clock());
     l->words = l->words || figures || forgotten || (single && shown);
     draw = draw || shown || l->words;

@@ -20,6 +20,7 @@ struct live_picture {
     struct frames_picture picture; /* pixels null: none */
     uint8_t *pixels;
     size_t room;
+    unsigned connections; /* of the port, when it came */
 };
 
 struct live {
@@ -31,6 +32,7 @@ struct live {
     struct live_picture shown, next; /* next: received, and not shown so far */
     bool waits;                      /* there is such a one */
     double opened, told;             /* when the window was, and the device of the buttons; by cli_clock() */
+    double hint;                     /* until when the keys' key is named */
     char film[DUMP_NAME];            /* recorded by key; empty: none */
     unsigned scale;                  /* as last asked for */
     bool there, words;               /* the device was; the words must be written anew */

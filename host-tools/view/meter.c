@@ -7,8 +7,13 @@
 
 void meter_picture(struct meter *m, const struct frames_picture *p, double now)
 {
-    if (m->since == 0.)
-        m->since = now;
+    if (m->turned == 0.)
+        m->turned = now;
+    m->at = now;
+    if (m->from == 0.) {
+        m->from = now;
+        return;
+    }
     m->now.pictures++;
     m->now.bytes += p->bytes;
     m->now.plain += unpack_row_bytes(p->format, p->width) * p->height;
@@ -18,12 +23,16 @@ void meter_picture(struct meter *m, const struct frames_picture *p, double now)
 
 bool meter_turn(struct meter *m, double now)
 {
-    if (m->since == 0. || now - m->since < METER_PERIOD_MS)
+    if (m->turned == 0. || now - m->turned < METER_PERIOD_MS)
         return false;
-    m->last = m->now;
-    m->period_ms = now - m->since;
-    m->now = (struct meter_sums){0};
-    m->since = now;
+    m->turned = now;
+    bool silent = now - m->at >= METER_SILENT_MS;
+    if (m->now.pictures || silent) {
+        m->last = m->now;
+        m->period_ms = m->at - m->from;
+        m->now = (struct meter_sums){0};
+        m->from = silent ? 0. : m->at;
+    }
     return true;
 }
 

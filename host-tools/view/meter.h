@@ -5,10 +5,11 @@
 
 #include "view/frames.h"
 
-#define METER_PERIOD_MS 500. /* figures are of a period, so that they can be read */
+#define METER_PERIOD_MS 500.  /* figures are of a period, so that they can be read */
+#define METER_SILENT_MS 2000. /* without a picture: until then the last figures hold */
 #define METER_REQUESTS  16u
 
-/* Of the pictures that came in a period. */
+/* Of the pictures that came in a period, from one to another: that which it begins with is none of them. */
 struct meter_sums {
     uint32_t pictures;
     uint64_t bytes; /* as sent */
@@ -17,10 +18,11 @@ struct meter_sums {
 };
 
 struct meter {
-    double since;           /* the beginning of `now`; 0: none so far */
+    double turned;          /* the last look that ended a period, at first the first picture; 0: none so far */
+    double from, at;        /* the pictures that `now` begins with (0: the next one) and has last */
     struct meter_sums now;  /* under way */
     struct meter_sums last; /* the last whole period, and how long it was */
-    double period_ms;       /* 0: none so far */
+    double period_ms;       /* 0: none */
     struct {                /* the last requests */
         uint16_t sequence;  /* 0: none */
         double at;
@@ -32,7 +34,7 @@ struct meter {
 
 void meter_picture(struct meter *meter, const struct frames_picture *picture, double now);
 
-/* True when a period has ended: `last` is new. */
+/* True when a period has ended: `last` may be new. */
 bool meter_turn(struct meter *meter, double now);
 
 /* Of the last period; 0 without one. */

@@ -32,7 +32,7 @@ static const char options_help[] =
     "      --rotate DEGREES   turn the picture clockwise: 0, 90, 180 or 270\n"
     "      --fullscreen       fill the screen\n"
     "      --trace            print a line for each, with the CRC-32 of its bytes as drawn\n"
-    "      --names            print what the device offers: scenes and methods\n"
+    "      --names            print what the device offers, scenes and methods; alone it ends with the first picture\n"
     "      --scene NAME       let the device show a scene,\n"
     "      --method NAME      by a method,\n"
     "      --budget N         with a budget of N, 1..255\n"
@@ -174,6 +174,8 @@ int options_parse(struct options *options, int argc, char **argv)
     if (options->serial && strcmp(options->input, "usb:") != 0)
         return cli_usage(OPTIONS_NAME, "--serial goes with the input usb:");
     options->headless |= options->dump || options->frames || options->trace || options->names;
+    if (options->names && !options->frames && !options->dump && !options->trace && !options->record && !options->save)
+        options->frames = 1;
     if (options->headless && !options->wait)
         options->wait = OPTIONS_WAIT_DEFAULT;
     if (!*options->input || strcmp(options->input, "file:") == 0 || (options->dump && !*options->dump) ||

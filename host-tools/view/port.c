@@ -11,7 +11,7 @@
 #else
 static int port_no_usb(void)
 {
-    fprintf(stderr, "usb: this glint-view was built without libusb-1.0\n");
+    fprintf(stderr, "usb: built without libusb-1.0 (`make view` has it)\n");
     return CLI_IO;
 }
 #endif

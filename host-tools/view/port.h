@@ -9,6 +9,7 @@
 #include <stddef.h>
 
 #define PORT_BAUD 115200
+#define PORT_MOST 524288 /* bytes that may wait in a port until they are read */
 
 struct port;
 

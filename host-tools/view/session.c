@@ -15,7 +15,7 @@
 
 static bool session_enough(const struct session *s)
 {
-    return s->code != CLI_DONE || (s->options->frames && s->pictures >= s->options->frames);
+    return s->code != CLI_DONE || ferror(stdout) || (s->options->frames && s->pictures >= s->options->frames);
 }
 
 /* What a picture shows is asked for no more where there is a window: the device's own buttons may change it again. */
@@ -32,7 +32,7 @@ static bool session_obeyed(struct session *s, const struct frames_picture *p)
 }
 
 /* Each line as its picture comes: behind a pipe, too, somebody waits for it, or does no longer. */
-static void session_trace(struct session *s, const struct frames_picture *p)
+static void session_trace(const struct frames_picture *p)
 {
     size_t bytes = unpack_row_bytes(p->format, p->width) * p->height;
     printf("%u: %ux%u %s%s, moment %u ms, %u bytes, drawn in %u us, packed in %u us, %u of %u triangles, %u dropped, "
@@ -41,8 +41,7 @@ static void session_trace(struct session *s, const struct frames_picture *p)
            (unsigned)p->moment_ms, (unsigned)p->bytes, (unsigned)p->draw_us, (unsigned)p->pack_us, (unsigned)p->drawn,
            (unsigned)p->triangles, (unsigned)p->dropped, (unsigned)p->skipped,
            (unsigned)scene_crc32(0, p->pixels, bytes));
-    if (fflush(stdout) != 0)
-        s->code = CLI_IO;
+    fflush(stdout);
 }
 
 static void session_picture(void *context, const struct frames_picture *p)
@@ -50,9 +49,10 @@ static void session_picture(void *context, const struct frames_picture *p)
     struct session *s = context;
     const struct options *o = s->options;
     s->obeyed = session_obeyed(s, p);
+    s->counts = s->obeyed || (s->counts && s->live.window);
     if (s->live.window)
         live_picture(s, p);
-    if (session_enough(s) || !s->obeyed)
+    if (session_enough(s) || !s->counts)
         return;
     s->counted += p->bytes;
     if (o->dump && s->pictures == 0)
@@ -64,7 +64,7 @@ static void session_picture(void *context, const struct frames_picture *p)
         s->code = recorded;
     s->pictures++;
     if (o->trace)
-        session_trace(s, p);
+        session_trace(p);
 }
 
 static void session_log(void *context, const char *text, uint32_t length)
@@ -94,8 +94,10 @@ static void session_hello(void *context, const char *text, uint32_t length)
     struct session *s = context;
     bool first = s->names.length == 0;
     names_set(&s->names, text, length);
-    if (first && s->options->names)
+    if (first && s->options->names) {
         names_print(&s->names);
+        fflush(stdout); /* a signal may end this before anything else does */
+    }
     if (!first && s->live.window) /* which may have asked for others since */
         return;
     session_choose(s, NAMES_SCENES, s->options->scene, &s->wishes[SESSION_SCENE]);
@@ -215,6 +217,10 @@ static int session_tell(const struct session *s)
         fprintf(stderr, "%s: out of memory\n", s->port.name);
         return CLI_IO;
     }
+    if (f->parser.messages == 0 && !f->parser.other_version) {
+        fprintf(stderr, "%s: is no stream\n", s->port.name);
+        return CLI_BAD_DATA;
+    }
     if (pictures == 0 || pictures < s->options->frames) {
         fprintf(stderr, "%s: %s%u picture%s in the stream, %u lost%s\n", s->port.name, pictures ? "only " : "",
                 (unsigned)pictures, pictures == 1 ? "" : "s", (unsigned)f->lost,
@@ -251,16 +257,22 @@ static int session_open(struct session *s, const struct options *o)
     return code;
 }
 
+int session_keep(struct session *s)
+{
+    int recorded = record_close(&s->record, true), saved = save_close(&s->save);
+    return recorded ? recorded : saved;
+}
+
 int session_run(struct session *s, const struct options *options)
 {
     s->code = session_open(s, options);
     while (!session_enough(s) && !cli_interrupted() && !s->frames.parser.out_of_memory && session_step(s))
         ;
     int code = s->code;
-    if (!code && !cli_interrupted())
+    if (!code && !cli_interrupted() && !ferror(stdout)) /* which the caller tells */
         code = session_tell(s);
-    int recorded = record_close(&s->record, true), saved = save_close(&s->save);
-    code = code ? code : recorded ? recorded : saved;
+    int kept = session_keep(s);
+    code = code ? code : kept;
     live_close(&s->live);
     frames_close(&s->frames);
     if (s->port.ops)

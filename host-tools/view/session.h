@@ -23,7 +23,8 @@ struct session {
     struct save save;
     struct live live;
     uint32_t wishes[SESSION_WISHES]; /* asked of the device, or OPTIONS_NONE */
-    bool obeyed;                     /* by the last picture, in all of these: those before do not count */
+    bool obeyed;                     /* by the last picture, in all of these */
+    bool counts;                     /* it does, if it obeyed; with a window also if any before it did */
     double asked;                    /* when, by cli_clock() */
     uint32_t seen;                   /* pictures when it was */
     double heard;                    /* when the last good message had come */
@@ -31,7 +32,7 @@ struct session {
     unsigned connections;            /* of the port, that have been greeted */
     uint32_t pictures;               /* that count */
     uint64_t counted;                /* their bytes */
-    uint8_t bytes[65536];            /* read, of which [at, count) is not yet looked at */
+    uint8_t bytes[PORT_MOST];        /* read, of which [at, count) is not yet looked at; all, that none may be old */
     size_t at, count;
     bool ended; /* nothing will be read any more */
     int code;
@@ -43,7 +44,11 @@ void session_wish(struct session *session, enum session_wish wish, uint32_t valu
 /* Sends a request now. */
 void session_send(struct session *session, enum stream_type type, uint32_t value);
 
-/* All of it: an exit code, with a message. The signals are caught from here on. */
+/* All of it: an exit code, with a message but for standard output, which the caller looks at. The signals are caught
+ * from here on. */
 int session_run(struct session *session, const struct options *options);
+
+/* What is recorded and saved so far is kept, and no more is: an exit code, with a message. Harmless when it is done. */
+int session_keep(struct session *session);
 
 #endif

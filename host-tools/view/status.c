@@ -19,44 +19,68 @@ static const char *status_board(const struct status *s)
     return s->names->length ? s->names->text : "?";
 }
 
-/* Of a picture: what the device says of it. */
+static void status_what(const struct status *s, struct overlay_text *text)
+{
+    const struct frames_picture *p = s->picture;
+    char budget[24] = "";
+    if (p->budget)
+        snprintf(budget, sizeof budget, ", budget %u/255", p->budget);
+    overlay_add(text, "%s by %s%s%s", status_name(s, NAMES_SCENES, p->scene), status_name(s, NAMES_METHODS, p->method),
+                budget, p->paused ? ", stopped" : "");
+}
+
+/* What the device says of its picture. */
 static void status_picture(const struct status *s, struct overlay_text *text)
 {
     const struct frames_picture *p = s->picture;
-    overlay_add(text, "%s by %s, budget %u/255%s", status_name(s, NAMES_SCENES, p->scene),
-                status_name(s, NAMES_METHODS, p->method), p->budget, p->paused ? ", stopped" : "");
+    char dropped[40] = "";
+    if (p->dropped)
+        snprintf(dropped, sizeof dropped, ", %u without memory", (unsigned)p->dropped);
     overlay_add(text, "%ux%u %s, picture %u, %u.%03u s", p->width, p->height, cli_formats[p->format],
                 (unsigned)p->number, (unsigned)(p->moment_ms / 1000), (unsigned)(p->moment_ms % 1000));
     overlay_add(text, "drawn in %u us, packed in %u us", (unsigned)p->draw_us, (unsigned)p->pack_us);
-    overlay_add(text, "%u of %u triangles, %u without memory", (unsigned)p->drawn, (unsigned)p->triangles,
-                (unsigned)p->dropped);
+    overlay_add(text, "%u of %u triangles%s", (unsigned)p->drawn, (unsigned)p->triangles, dropped);
 }
 
-/* Of the last period: how they come. */
+static void status_rate(const struct meter *m, struct overlay_text *text)
+{
+    char latency[32] = "";
+    if (m->latency_ms > 0.)
+        snprintf(latency, sizeof latency, ", latency %.1f ms", m->latency_ms);
+    overlay_add(text, "%.1f pictures/s%s", meter_rate(m, m->last.pictures), latency);
+}
+
+/* How they came in the last period. */
 static void status_flow(const struct status *s, struct overlay_text *text)
 {
-    const struct meter *m = s->meter;
-    const struct meter_sums *sums = &m->last;
-    const double count = sums->pictures ? sums->pictures : 1, bytes = sums->bytes ? (double)sums->bytes : 1;
+    const struct meter_sums *sums = &s->meter->last;
+    const double kilobytes = meter_rate(s->meter, (double)sums->bytes) / 1e3;
+    const double ratio = (double)sums->plain / (double)(sums->bytes ? sums->bytes : 1);
     const uint32_t all = sums->bands[STREAM_RAW] + sums->bands[STREAM_QOI] + sums->bands[STREAM_CHANGE];
     const double share = all ? 100. / all : 0.;
-    char latency[24] = "-";
-    if (m->latency_ms > 0.)
-        snprintf(latency, sizeof latency, "%.1f ms", m->latency_ms);
-    overlay_add(text, "%.1f pictures/s, latency %s", meter_rate(m, sums->pictures), latency);
-    overlay_add(text, "%.0f bytes a picture, %.0f KB/s", (double)sums->bytes / count,
-                meter_rate(m, (double)sums->bytes) / 1e3);
-    overlay_add(text, "compressed %.1f:1, raw %.0f, qoi %.0f, change %.0f %%", (double)sums->plain / bytes,
-                share * sums->bands[STREAM_RAW], share * sums->bands[STREAM_QOI], share * sums->bands[STREAM_CHANGE]);
-    overlay_add(text, "lost here %u, left out by the device %u", (unsigned)s->lost, (unsigned)s->picture->skipped);
+    const unsigned lost = (unsigned)s->lost, skipped = (unsigned)s->picture->skipped;
+    if (sums->pictures && s->details) {
+        overlay_add(text, "%.0f bytes a picture, %.0f KB/s", (double)sums->bytes / sums->pictures, kilobytes);
+        overlay_add(text, "compressed %.1f:1, raw %.0f, qoi %.0f, change %.0f %%", ratio,
+                    share * sums->bands[STREAM_RAW], share * sums->bands[STREAM_QOI],
+                    share * sums->bands[STREAM_CHANGE]);
+    } else if (sums->pictures) {
+        overlay_add(text, "%.0f KB/s, %.1f:1, lost %u, left out %u", kilobytes, ratio, lost, skipped);
+    }
+    if (s->details)
+        overlay_add(text, "lost here %u, left out by the device %u", lost, skipped);
 }
 
 void status_figures(const struct status *s, struct overlay_text *text)
 {
     if (!s->picture)
         return;
-    overlay_add(text, "%s, %s", status_board(s), s->port);
-    status_picture(s, text);
+    if (s->details)
+        overlay_add(text, "%s, %s", status_board(s), s->port);
+    status_what(s, text);
+    if (s->details)
+        status_picture(s, text);
+    status_rate(s->meter, text);
     status_flow(s, text);
 }
 

@@ -13,9 +13,10 @@ struct status {
     const struct frames_picture *picture; /* on the screen; null: none so far */
     const struct meter *meter;
     uint32_t lost;
+    bool details; /* all that is known of it, not only what most want to see */
 };
 
-/* Each adds lines, of figures none before a picture. */
+/* Each adds lines; no figures without a picture. */
 void status_figures(const struct status *status, struct overlay_text *text);
 void status_keys(struct overlay_text *text);
 

@@ -13,7 +13,7 @@
 
 #define USB_IN      8     /* transfers in flight */
 #define USB_BYTES   16384 /* each: a multiple of every packet size, so that a packet never ends beyond it */
-#define USB_QUEUE   (4 * USB_IN * USB_BYTES)
+#define USB_QUEUE   PORT_MOST
 #define USB_WAITING 16    /* requests; a newer one takes the oldest's place */
 #define USB_LOOK_MS 500.  /* between looks for the device */
 #define USB_END_MS  2000. /* that the end waits for the library to give all transfers back */
@@ -172,9 +172,10 @@ static void usb_arrive(struct usb *u, unsigned others)
         usb_take(u, &u->in[i], d->in, USB_BYTES, usb_received);
     usb_take(u, &u->out, d->out, STREAM_HEADER, usb_sent);
     u->stalls = 0;
+    bool any = !*u->serial;
     snprintf(u->serial, sizeof u->serial, "%s", d->serial);
     snprintf(u->name, sizeof u->name, "usb:%s", d->serial);
-    if (others)
+    if (others && any)
         fprintf(stderr, "%s: taken; there %s %u more, --list lists them and --serial chooses\n", u->name,
                 others == 1 ? "is" : "are", others);
     u->told = LIBUSB_ERROR_NOT_FOUND;
@@ -200,15 +201,14 @@ static void usb_look(struct usb *u)
     u->context = NULL;
     u->arrived = false;
     u->look = cli_clock() + USB_LOOK_MS;
-    if ((u->trouble = libusb_init(&u->context)) != 0) {
+    if ((u->trouble = libusb_init(&u->context)) != 0)
         u->context = NULL;
-        return;
-    }
-    if (libusb_has_capability(LIBUSB_CAP_HAS_HOTPLUG)) /* if it fails, looking now and then does as well */
+    if (u->context && libusb_has_capability(LIBUSB_CAP_HAS_HOTPLUG)) /* if not, looking now and then does as well */
         libusb_hotplug_register_callback(u->context, LIBUSB_HOTPLUG_EVENT_DEVICE_ARRIVED, LIBUSB_HOTPLUG_NO_FLAGS,
                                          USB_FIND_VENDOR, USB_FIND_PRODUCT, LIBUSB_HOTPLUG_MATCH_ANY, usb_plugged, u,
                                          NULL);
-    u->trouble = usb_find(u->context, *u->serial ? u->serial : NULL, &u->device, &others);
+    if (u->context)
+        u->trouble = usb_find(u->context, *u->serial ? u->serial : NULL, &u->device, &others);
     if (u->trouble == 0) {
         usb_arrive(u, others);
     } else if (u->trouble == LIBUSB_ERROR_NOT_FOUND) {

@@ -14,8 +14,9 @@
 #define WINDOW_WIDTH   480 /* before a picture has come; and what it is enlarged to, about */
 #define WINDOW_HEIGHT  480
 #define WINDOW_MAX     6    /* times that a pixel is enlarged at first */
-#define WINDOW_LETTERS 240u /* of the window's pixels: from twice that on letters are twice as large */
-#define WINDOW_DIM     80   /* of 255 */
+#define WINDOW_LETTERS 240u /* and WINDOW_LINES: what words need where a pixel of theirs is one of the window's */
+#define WINDOW_LINES   128u
+#define WINDOW_DIM     80 /* of 255 */
 
 struct window {
     SDL_Window *window;
@@ -65,6 +66,7 @@ int window_open(struct window **out)
         return window_problem("display", "none can be opened");
     w->window = SDL_CreateWindow("Glint", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, WINDOW_WIDTH, WINDOW_HEIGHT,
                                  SDL_WINDOW_HIDDEN | SDL_WINDOW_RESIZABLE);
+    SDL_StopTextInput(); /* which begins by itself: an input method would keep the letters, which are buttons here */
     /* without waiting for the screen, which for a covered window may be for ever */
     w->renderer = w->window ? SDL_CreateRenderer(w->window, -1, 0) : NULL;
     return w->renderer ? CLI_DONE : window_problem("window", SDL_GetError());
@@ -226,6 +228,16 @@ static void window_write(struct window *w, unsigned width, unsigned height)
     }
 }
 
+/* How large a pixel of words is: two where they fit, larger in a window that is large either way. */
+static unsigned window_letter(unsigned width, unsigned height)
+{
+    unsigned columns = width / WINDOW_LETTERS, lines = height / WINDOW_LINES, most = height / WINDOW_LETTERS;
+    unsigned letter = columns < lines ? columns : lines;
+    most = most > 2 ? most : 2;
+    letter = letter < most ? letter : most;
+    return letter ? letter : 1;
+}
+
 /* Without showing it. */
 static void window_paint(struct window *w, int *width, int *height)
 {
@@ -241,8 +253,7 @@ static void window_paint(struct window *w, int *width, int *height)
         SDL_SetTextureColorMod(w->picture, light, light, light);
         SDL_RenderCopy(w->renderer, w->picture, NULL, &place);
     }
-    unsigned wide = (unsigned)*width, high = (unsigned)*height, letter = wide < high ? wide : high;
-    letter = letter < 2 * WINDOW_LETTERS ? 1 : letter / WINDOW_LETTERS;
+    unsigned wide = (unsigned)*width, high = (unsigned)*height, letter = window_letter(wide, high);
     window_write(w, (wide + letter - 1) / letter, (high + letter - 1) / letter);
     const SDL_Rect place = {0, 0, (int)(w->overlay.width * letter), (int)(w->overlay.height * letter)};
     if (w->words)

@@ -4,6 +4,7 @@
 . tests/cli/check.inc
 install=$(realpath boards/linux/install.sh)
 board=$(realpath boards/pi-zero-waveshare13/board.conf)
+bare=$(realpath boards/pi-zero-usb/board.conf)
 other=$(realpath boards/pi-zero-displayhatmini/board.conf)
 
 fresh
@@ -29,6 +30,8 @@ echo '# mine' >>root/etc/glint/board.conf
 cp root/etc/glint/board.conf mine
 run 'another board is installed over it' 0 "$install" program "$other" /opt/glint "$work/root"
 run 'the board file that was there is kept' 0 cmp root/etc/glint/board.conf.old mine
+run 'and one without a panel' 0 "$install" program "$bare" /opt/glint "$work/root"
+matches 'whose service is the one over USB' "$top/out" 'systemctl enable --now glint-device-usb$'
 
 fresh
 printf '#!/bin/sh\n' >program

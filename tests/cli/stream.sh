@@ -38,6 +38,8 @@ run 'one loop is the default' 0 "$glint" render "$demo" --size 8x8 --fps 5 --str
 run 'of 4 s at 5 frames a second' 0 "$view" file:loop.stream --trace
 matches 'that are listed' "$top/out" '^19: 8x8 rgb888, moment 3800 ms, [0-9]+ bytes'
 matches 'and counted' "$top/out" '^20 pictures, [0-9]+ bytes each, 0 lost$'
+run 'a list that cannot be written is reported' 3 sh -c "'$view' file:loop.stream --trace >/dev/full"
+matches 'as standard output' "$top/err" '^standard output: '
 run 'names are printed' 0 "$view" file:loop.stream --names --frames 1
 matches 'of the methods' "$top/out" '^method x-perspective$'
 
@@ -60,6 +62,7 @@ head -c $((size / 30)) good.stream >short.stream
 run 'a stream without a whole picture fails' 1 "$view" file:short.stream --dump none
 echo 'no stream' >words
 run 'as does what is none' 1 "$view" file:words --headless
+matches 'which is said' "$top/err" '^words: is no stream$'
 run 'a missing file is named' 3 "$view" file:nowhere
 matches 'with the reason' "$top/err" '^nowhere: No such file'
 run 'a file is no serial line' 3 "$view" good.stream
@@ -134,5 +137,9 @@ run 'hashes do not mix with a stream on standard output' 2 "$glint" render "$dem
 run 'a stream that cannot be written is named' 3 "$glint" render "$demo" --stream none/a.stream
 matches 'with the reason' "$top/err" '^none/a.stream: No such file'
 run 'a full device too' 3 "$glint" render "$demo" --stream /dev/full
+"$glint" render "$demo" --stream - --frames 100000 2>err | head -c 100000 >/dev/null
+status=${PIPESTATUS[0]}
+if [ "$status" = 3 ] && [ ! -s err ]; then say ok 'a viewer that has seen enough is no error to speak of'
+else say FAIL 'a viewer that has seen enough is no error to speak of' "$status: $(cat err)"; fi
 interrupted 'a signal takes the stream back' TERM 'a.stream*' "$glint" render "$demo" --frames 100000 --stream a.stream
 finish

@@ -31,6 +31,29 @@ while view.poll() is None:
         pass
 sys.exit(view.wait())
 P
+# board.py COMMAND...: a serial line with a board that answers for 10 s, and its viewer
+cat >board.py <<'P'
+import os, select, subprocess, sys, time, tty
+sys.path.insert(0, os.environ["DECODER"])
+import stream
+master, slave = os.openpty()
+tty.setraw(slave)
+view = subprocess.Popen(sys.argv[1:] + [os.ttyname(slave)])
+end, sequence = time.monotonic() + 10, 0
+while view.poll() is None and time.monotonic() < end:
+    if select.select([master], [], [], .02)[0] and stream.KEY_PLEASE in os.read(master, 4096)[5::32]:
+        os.write(master, stream.message(stream.HELLO, b"board\0first\0\0one\0", sequence, 4, 4) +
+                 stream.picture(b"\xff" * 32, 4, 4, (sequence + 1) % 65536, 0, 0, 0, 4, 0))
+        sequence = (sequence + 4) % 65536
+if view.poll() is None:
+    view.kill()
+sys.exit(view.wait())
+P
+DECODER=$(dirname "$scenes")/device
+export DECODER PYTHONDONTWRITEBYTECODE=1
+run 'names alone end with the first picture' 0 python3 board.py "$view" --names
+matches 'and are printed' "$top/out" '^scene first$'
+
 for board in nothing words; do
     run "a board that says $board is not waited for either" 3 timeout 20 python3 line.py $board "$view"
     matches 'and named' "$top/err" '^/dev/.*: no answer$'

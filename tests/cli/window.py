@@ -150,9 +150,11 @@ def words_lie_over_the_picture(screen, pictures):
     plain = enlarged(pictures[-1], WIDTH, 6)
     half, white = len(plain) // 2, b"\xff\xff\xff"
     with View(screen, "file:rgb565.stream", "--scale", "6") as run:
-        good = wait_for(lambda: run.window.pixels()[half:half + 3000] == plain[half:half + 3000] and
-                        run.window.pixels()[:half].count(white) > 500)
-        verdict("figures stand at the top", None if good else "no figures, or another picture below")
+        for keys, what, low, high in ((), "figures stand at the top", 100, 500), (("shift+o",), "and all of them", 500, half):
+            run.window.keys(*keys)
+            good = wait_for(lambda: run.window.pixels()[half:half + 3000] == plain[half:half + 3000] and
+                            low < run.window.pixels()[:half].count(white) < high)
+            verdict(what, None if good else "no figures, or another picture below")
         run.window.keys("h")
         good = wait_for(lambda: run.window.pixels()[half - 60000:half + 60000].count(white) > 500)
         verdict("the keys in the middle", None if good else "no words")
@@ -296,6 +298,19 @@ def keys_are_the_device_s_buttons(screen):
         verdict("which stays until it is closed", None if code == 0 and not err else f"{code}: {err}")
 
 
+def a_screen_that_goes_takes_no_recording_with_it(screen, pictures):
+    before = set(os.listdir("."))
+    with View(screen, "-", "--record", "kept.png", "--save", "kept.stream", "--scale", "4", stdin=subprocess.PIPE) as run:
+        run.window.keys("o")
+        run.feed(read("rgb565.stream"))
+        run.shows(enlarged(pictures[-1], WIDTH, 4))
+        screen.close()
+        run.ends()
+    verdict("a screen that goes takes no recording with it",
+            None if set(os.listdir(".")) - before == {"kept.png", "kept.stream"} and read("kept.png").endswith(b"IEND\xaeB\x60\x82") and
+            read("kept.stream") == read("rgb565.stream") else set(os.listdir(".")) - before)
+
+
 def main():
     folder = os.getcwd() + "/screen"
     os.mkdir(folder)
@@ -309,6 +324,7 @@ def main():
         one_picture_after_another(screen, pictures)
         another_size_makes_another_window(screen, pictures)
         keys_are_the_device_s_buttons(screen)
+        a_screen_that_goes_takes_no_recording_with_it(screen, pictures)
     finally:
         screen.close()
 

@@ -12,9 +12,10 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <time.h>
-#include <unistd.h>
 
 #include <cmocka.h>
+
+#include "listen.h"
 
 enum { FRAME = 40000, TEXT = 4096, PATIENCE_MS = 4000 };
 
@@ -32,17 +33,9 @@ static int open_usb(const char *udc)
 {
     const struct usb_stream_config config = {
         .gadget = {udc, "Glint model", "4711"}, .queue = queue, .frame_most = FRAME};
-    FILE *file = tmpfile();
-    int error = dup(2);
-    fflush(stderr);
-    dup2(fileno(file), 2);
+    const struct listen errors = listen_begin(STDERR_FILENO);
     int result = usb_stream_open(&usb, &config);
-    fflush(stderr);
-    dup2(error, 2);
-    close(error);
-    rewind(file);
-    told[fread(told, 1, sizeof told - 1, file)] = 0;
-    fclose(file);
+    listen_end(&errors, told, sizeof told);
     return result;
 }
 

@@ -8,7 +8,6 @@
 #include "firmware/app/main.c"
 #include "linux/keys.h"
 
-#include <fcntl.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -16,6 +15,7 @@
 
 #include <cmocka.h>
 
+#include "listen.h"
 #include "pack/pack.h"
 
 #define CASE_SIZE    "32x24" /* pixels: the fewer, the more calls can be tried */
@@ -45,22 +45,14 @@ static int case_scene(void **state)
 static int case_run(const char *options)
 {
     char text[1024], *arguments[CASE_OPTIONS] = {"glint-device"};
-    int count = 1, out = dup(1), error = dup(2), null = open("/dev/null", O_WRONLY);
-    FILE *told = tmpfile();
+    int count = 1;
     snprintf(text, sizeof text, "%s", options);
     for (char *word = strtok(text, " "); word && count < CASE_OPTIONS - 1; word = strtok(NULL, " "))
         arguments[count++] = word;
-    fflush(NULL);
-    dup2(null, 1);
-    dup2(fileno(told), 2);
+    const struct listen reports = listen_begin(STDOUT_FILENO), errors = listen_begin(STDERR_FILENO);
     int code = device_run(count, arguments);
-    fflush(NULL);
-    dup2(out, 1);
-    dup2(error, 2);
-    rewind(told);
-    case_told[fread(case_told, 1, sizeof case_told - 1, told)] = 0;
-    fclose(told);
-    close(out), close(error), close(null);
+    listen_end(&reports, case_told, sizeof case_told);
+    listen_end(&errors, case_told, sizeof case_told);
     return code;
 }
 

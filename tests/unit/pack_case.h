@@ -3,6 +3,7 @@
 #ifndef PACK_CASE_H
 #define PACK_CASE_H
 
+#include "listen.h"
 #include "pack/pack.h"
 
 #include <stdio.h>
@@ -39,17 +40,9 @@ static inline void case_remove(struct case_file *file)
 static inline int case_load_path(const char *path, const struct pack_options *options, struct pack_result *result,
                                  char *said, size_t size)
 {
-    FILE *caught = tmpfile();
-    fflush(stderr);
-    int old = dup(STDERR_FILENO);
-    assert_true(caught && old >= 0 && dup2(fileno(caught), STDERR_FILENO) >= 0);
+    const struct listen errors = listen_begin(STDERR_FILENO);
     int code = pack_load(path, options, result);
-    fflush(stderr);
-    dup2(old, STDERR_FILENO);
-    close(old);
-    rewind(caught);
-    said[fread(said, 1, size - 1, caught)] = 0;
-    fclose(caught);
+    listen_end(&errors, said, size);
     return code;
 }
 

@@ -32,6 +32,7 @@ static void buttons_are_held_until_they_are_released(void **state)
     assert_int_equal(c.buttons, 0xFB);
     controls_leave(&c);
     assert_int_equal(c.buttons, 0);
+    assert_int_equal(c.taps, 0xFF); /* which are to be told yet */
 }
 
 static void rotation_goes_round(void **state)
@@ -80,6 +81,20 @@ static void a_step_holds_the_picture(void **state)
     assert_true(c.paused);
 }
 
+static void figures_are_few_or_all(void **state)
+{
+    struct controls c = {.figures = true};
+    (void)state;
+    controls_press(&c, 'o', true, false);
+    assert_true(c.figures && c.details);
+    press(&c, 'o');
+    assert_true(!c.figures && c.details);
+    press(&c, 'o');
+    assert_true(c.figures && c.details);
+    controls_press(&c, 'o', true, false);
+    assert_true(c.figures && !c.details);
+}
+
 static void requests_add_up_until_they_are_made(void **state)
 {
     struct controls c = {0};
@@ -108,6 +123,7 @@ static void what_a_key_does_not_name_it_leaves(void **state)
     for (int key = -1; key < 300; key++) {
         struct controls c = {0}, none = {0};
         press(&c, key);
+        c.taps = 0; /* buttons leave but these */
         bool known = key == CONTROLS_ESCAPE || (key >= 256 && key <= CONTROLS_F11 && c.buttons == none.buttons) ||
                      (key > 0 && key < 128 && strchr("123456rfp sohmvw.+=-q", key));
         if (!known || (key >= CONTROLS_UP && key <= CONTROLS_RIGHT))
@@ -133,6 +149,7 @@ int main(void)
                                        cmocka_unit_test(rotation_goes_round),
                                        cmocka_unit_test(escape_leaves_fullscreen_before_it_ends),
                                        cmocka_unit_test(a_step_holds_the_picture),
+                                       cmocka_unit_test(figures_are_few_or_all),
                                        cmocka_unit_test(requests_add_up_until_they_are_made),
                                        cmocka_unit_test(what_a_key_does_not_name_it_leaves),
                                        cmocka_unit_test(scales_are_those_of_the_digits)};

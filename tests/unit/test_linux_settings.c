@@ -3,7 +3,6 @@
 #include "boards/linux/settings.h"
 #include "boards/linux/values.h"
 
-#include <fcntl.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -12,6 +11,8 @@
 #include <unistd.h>
 
 #include <cmocka.h>
+
+#include "listen.h"
 
 #define ARGUMENTS 80
 
@@ -32,20 +33,14 @@ static char words[1024], told[1024];
 static int reads(const char *options)
 {
     char *arguments[ARGUMENTS] = {"glint-device"};
-    int count = 1, error = dup(2);
-    FILE *file = tmpfile();
+    int count = 1;
     free(settings.text);
     snprintf(words, sizeof words, "%s", options);
     for (char *word = strtok(words, " "); word && count < ARGUMENTS - 1; word = strtok(NULL, " "))
         arguments[count++] = word;
-    dup2(fileno(file), 2);
+    const struct listen errors = listen_begin(STDERR_FILENO);
     int code = settings_read(&settings, count, arguments);
-    fflush(NULL);
-    dup2(error, 2);
-    close(error);
-    rewind(file);
-    told[fread(told, 1, sizeof told - 1, file)] = 0;
-    fclose(file);
+    listen_end(&errors, told, sizeof told);
     return code;
 }
 
@@ -225,7 +220,9 @@ static void boards_files_are_good(void **state)
     static const struct {
         const char *name;
         unsigned keys;
-    } boards[] = {{"pi-zero-waveshare13", 8}, {"pi-zero-displayhatmini", 4}, {"linux-virt", 2}};
+        int bare;
+    } boards[] = {
+        {"pi-zero-waveshare13", 8, 0}, {"pi-zero-displayhatmini", 4, 0}, {"pi-zero-usb", 0, 1}, {"linux-virt", 2, 0}};
     (void)state;
     for (size_t i = 0; i < sizeof boards / sizeof *boards; i++) {
         char options[128];
@@ -233,7 +230,8 @@ static void boards_files_are_good(void **state)
         assert_int_equal(reads(options), -1);
         assert_string_equal(told, "");
         assert_int_equal(settings.keys.count, boards[i].keys);
-        assert_ptr_equal(settings.controller, &panel_st7789);
+        assert_ptr_equal(settings.controller, boards[i].bare ? NULL : &panel_st7789);
+        assert_int_equal(settings.usb, boards[i].bare);
     }
 }
 

@@ -28,15 +28,37 @@ static void rates_are_of_the_last_period(void **state)
         assert_false(meter_turn(&m, now));
         meter_picture(&m, &picture, now);
     }
-    assert_true(meter_turn(&m, 1500.));
-    assert_int_equal(m.last.pictures, 20);
-    assert_int_equal(m.last.bytes, 20 * 50);
-    assert_int_equal(m.last.plain, 20 * 200);
-    assert_int_equal(m.last.bands[STREAM_CHANGE], 60);
+    assert_true(meter_turn(&m, 1503.)); /* whenever that is */
+    assert_int_equal(m.last.pictures, 19);
+    assert_int_equal(m.last.bytes, 19 * 50);
+    assert_int_equal(m.last.plain, 19 * 200);
+    assert_int_equal(m.last.bands[STREAM_CHANGE], 57);
     assert_int_equal(tenths(meter_rate(&m, m.last.pictures)), 400);
-    assert_true(meter_turn(&m, 3500.)); /* looked at late: over all of that */
-    assert_int_equal(m.last.pictures, 0);
-    assert_int_equal(tenths(meter_rate(&m, 4.)), 20);
+    for (double now = 1525.; now < 2003.; now += 50.)
+        meter_picture(&m, &picture, now);
+    assert_true(meter_turn(&m, 2003.));
+    assert_int_equal(m.last.pictures, 10);
+    assert_int_equal(tenths(meter_rate(&m, m.last.pictures)), 200);
+    assert_true(meter_turn(&m, 2503.)); /* none in between */
+    assert_int_equal(m.last.pictures, 10);
+    assert_true(meter_turn(&m, 1975. + METER_SILENT_MS));
+    assert_int_equal(tenths(meter_rate(&m, m.last.pictures)), 0);
+    meter_picture(&m, &picture, 9000.); /* the pause was no picture's time */
+    meter_picture(&m, &picture, 9100.);
+    assert_true(meter_turn(&m, 9101.));
+    assert_int_equal(tenths(meter_rate(&m, m.last.pictures)), 100);
+}
+
+static void a_picture_in_more_than_a_period_is_a_rate_too(void **state)
+{
+    struct meter m = {0};
+    (void)state;
+    for (double now = 1000.; now < 9000.; now += 10.) {
+        if ((int)now % 800 == 200)
+            meter_picture(&m, &picture, now);
+        if (meter_turn(&m, now) && now > 2000.)
+            assert_int_equal(tenths(meter_rate(&m, m.last.pictures)), 13);
+    }
 }
 
 static void latency_is_from_a_request_to_the_first_picture_that_answers(void **state)
@@ -94,6 +116,7 @@ static void another_device_answers_nothing_of_before(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(rates_are_of_the_last_period),
+                                       cmocka_unit_test(a_picture_in_more_than_a_period_is_a_rate_too),
                                        cmocka_unit_test(latency_is_from_a_request_to_the_first_picture_that_answers),
                                        cmocka_unit_test(only_the_last_requests_are_remembered),
                                        cmocka_unit_test(another_device_answers_nothing_of_before)};

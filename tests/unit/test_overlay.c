@@ -131,7 +131,9 @@ static void figures_say_what_the_device_says(void **state)
                                .drawn = 410,
                                .dropped = 2,
                                .skipped = 5};
-    const struct status status = {.port = "usb:1", .names = &names, .picture = &p, .meter = &meter, .lost = 3};
+    struct status status = {.port = "usb:1", .names = &names, .picture = &p, .meter = &meter, .lost = 3};
+    static const char *const few[] = {"demo.json by x, budget 4/255", "50.0 pictures/s, latency 12.3 ms",
+                                      "576 KB/s, 10.0:1, lost 3, left out 5"};
     static const char *const want[] = {"picosystem, usb:1",
                                        "demo.json by x, budget 4/255",
                                        "240x240 rgb565, picture 77, 2.050 s",
@@ -148,6 +150,12 @@ static void figures_say_what_the_device_says(void **state)
     for (unsigned i = 0; i <= 25; i++) /* one every 20 ms */
         if (!meter_turn(&meter, 1000. + 20. * i))
             meter_picture(&meter, &p, 1000. + 20. * i);
+    status_figures(&status, &text);
+    assert_int_equal(text.count, sizeof few / sizeof *few);
+    for (unsigned i = 0; i < text.count; i++)
+        assert_string_equal(text.lines[i], few[i]);
+    status.details = true;
+    text.count = 0;
     status_figures(&status, &text);
     assert_int_equal(text.count, sizeof want / sizeof *want);
     for (unsigned i = 0; i < text.count; i++)
@@ -182,7 +190,9 @@ static void a_place_that_hello_does_not_name_is_unknown(void **state)
     (void)state;
     names_set(&names, hello, sizeof hello - 1);
     status_figures(&status, &text);
-    assert_string_equal(text.lines[1], "? by ?, budget 0/255, stopped");
+    assert_int_equal(text.count, 2);
+    assert_string_equal(text.lines[0], "? by ?, stopped");
+    assert_string_equal(text.lines[1], "0.0 pictures/s"); /* nor is there a latency, or anything of bytes */
 }
 
 static void notes_are_forgotten_in_time(void **state)

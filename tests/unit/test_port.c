@@ -25,38 +25,18 @@ static int port_case_terminal(void)
 }
 
 static char told[512];
-static int was;
-static FILE *words;
-
-static void listen_to_errors(void)
-{
-    fflush(NULL);
-    was = dup(STDERR_FILENO);
-    words = tmpfile();
-    dup2(fileno(words), STDERR_FILENO);
-}
-
-static void listened(void)
-{
-    fflush(NULL);
-    dup2(was, STDERR_FILENO);
-    close(was);
-    rewind(words);
-    told[fread(told, 1, sizeof told - 1, words)] = 0;
-    fclose(words);
-}
 
 static void without_libusb_it_says_so(void **state)
 {
     struct port port;
     (void)state;
-    listen_to_errors();
+    const struct listen errors = listen_begin(STDERR_FILENO);
     int code = port_open(&port, "usb:A1", NULL), listed = port_list();
-    listened();
+    listen_end(&errors, told, sizeof told);
     assert_int_equal(code, CLI_IO);
     assert_int_equal(listed, CLI_IO);
-    assert_string_equal(told, "usb: this glint-view was built without libusb-1.0\n"
-                              "usb: this glint-view was built without libusb-1.0\n");
+    assert_string_equal(told, "usb: built without libusb-1.0 (`make view` has it)\n"
+                              "usb: built without libusb-1.0 (`make view` has it)\n");
 }
 
 static void a_file_is_read_to_its_end_and_asked_nothing(void **state)
@@ -125,9 +105,9 @@ static void who_waits_no_longer_says_for_what(void **state)
     int other = port_case_terminal();
     (void)state;
     assert_int_equal(port_open(&port, ptsname(other), NULL), CLI_DONE);
-    listen_to_errors();
+    const struct listen errors = listen_begin(STDERR_FILENO);
     port_missing(&port);
-    listened();
+    listen_end(&errors, told, sizeof told);
     snprintf(line, sizeof line, "%s: no answer\n", ptsname(other));
     assert_string_equal(told, line);
     port_close(&port);

@@ -5,9 +5,9 @@
 #include <stdint.h>
 
 #include <cmocka.h>
-#include <fcntl.h>
 
 #include "apng_case.h"
+#include "listen.h"
 #include "random.h"
 #include "record_case.h"
 
@@ -54,12 +54,10 @@ static void without_a_picture_or_if_discarded_there_is_no_file(void **state)
 /* Without standard error; with a path, opens before. */
 static int quietly(struct record *record, const char *path, const struct frames_picture *picture)
 {
-    int standard = dup(STDERR_FILENO), words = open("/dev/null", O_WRONLY);
-    dup2(words, STDERR_FILENO);
+    char said[80];
+    const struct listen errors = listen_begin(STDERR_FILENO);
     int code = path ? record_open(record, path) : record_picture(record, picture);
-    dup2(standard, STDERR_FILENO);
-    close(standard);
-    close(words);
+    listen_end(&errors, said, sizeof said);
     return code;
 }
 

@@ -143,6 +143,16 @@ static void buttons_are_released_by_word_or_after_a_second(void **state)
     assert_int_equal(remote_buttons(&app.remote, 1), 0);
 }
 
+/* As one of the device's own that is pressed while a picture is drawn. */
+static void a_button_that_is_released_at_once_was_pressed(void **state)
+{
+    (void)state;
+    ask(STREAM_BUTTONS, HAL_A | HAL_QUIT);
+    ask(STREAM_BUTTONS, 0);
+    assert_int_equal(app.buttons, HAL_A);
+    assert_int_equal(remote_buttons(&app.remote, 1), 0);
+}
+
 static void a_picture_echoes_the_last_request(void **state)
 {
     const size_t hello = STREAM_HEADER + 6 + 5 + 6 + 1 + names_bytes() + STREAM_CHECK;
@@ -216,6 +226,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(requests_do_what_the_menu_does, begin, end),
         cmocka_unit_test_setup_teardown(what_there_is_not_cannot_be_asked_for, begin, end),
         cmocka_unit_test_setup_teardown(buttons_are_released_by_word_or_after_a_second, begin, end),
+        cmocka_unit_test_setup_teardown(a_button_that_is_released_at_once_was_pressed, begin, end),
         cmocka_unit_test_setup_teardown(a_picture_echoes_the_last_request, begin, end),
         cmocka_unit_test_setup_teardown(nothing_is_sent_unasked, begin, end),
         cmocka_unit_test_setup_teardown(the_picture_sent_is_the_renderers, begin, end),

@@ -119,6 +119,103 @@ static void an_endpoint_may_stall_at_every_callback(void **state)
     }
 }
 
+static void a_device_that_stalls_for_ever_is_let_go_and_tried_again(void **state)
+{
+    struct port port;
+    struct reader reader = {0};
+    (void)state;
+    case_begin();
+    machine.stalls_at = 1;
+    machine.stalls_more = 1000;
+    machine_plug(0, "A1");
+    assert_int_equal(port_open(&port, "usb:", NULL), CLI_DONE);
+    assert_true(reader_run(&reader, &port, 2, 0));
+    machine.stalls_more = 0;
+    machine.devices[0].stalled_in = false;
+    assert_true(reader_run(&reader, &port, 2, CASE_BYTES));
+    port_close(&port);
+    case_end();
+}
+
+/* All that are in flight end so: one stall. */
+static void stalls_with_bytes_in_between_are_no_reason_to_leave(void **state)
+{
+    struct port port;
+    struct reader reader = {0};
+    (void)state;
+    case_begin();
+    machine_plug(0, "A1");
+    assert_int_equal(port_open(&port, "usb:", NULL), CLI_DONE);
+    for (uint32_t i = 1; i <= 3 * USB_STALLS; i++) {
+        assert_true(reader_run(&reader, &port, 1, i * 20000));
+        machine.devices[0].stalled_in = true;
+        for (unsigned k = 0; k < machine.flying_count; k++)
+            machine.halted[k] = true;
+    }
+    machine.devices[0].stalled_in = true;
+    machine.stalls_more = USB_STALLS - 1;
+    assert_true(reader_run(&reader, &port, 1, reader.bytes + CASE_BYTES));
+    assert_int_equal(port.connections, 1);
+    port_close(&port);
+    case_end();
+}
+
+static void after_an_error_the_device_is_opened_anew(void **state)
+{
+    struct port port;
+    struct reader reader = {0};
+    (void)state;
+    case_begin();
+    machine.breaks_at = 5;
+    machine_plug(0, "A1");
+    assert_int_equal(port_open(&port, "usb:", NULL), CLI_DONE);
+    assert_true(reader_run(&reader, &port, 2, CASE_BYTES));
+    port_close(&port);
+    case_end();
+}
+
+/* Then no transfer is in flight that could end with an error. */
+static void a_device_may_be_pulled_while_nobody_reads(void **state)
+{
+    struct port port;
+    (void)state;
+    case_begin();
+    machine.hotplug = false;
+    machine_plug(0, "A1");
+    assert_int_equal(port_open(&port, "usb:", NULL), CLI_DONE);
+    struct reader reader = {.connections = 1, .device = machine.devices};
+    for (int i = 0; i < 2000; i++) {
+        usb_step(port.usb);
+        usb_events(port.usb, 1);
+    }
+    assert_int_equal(machine.flying_count, 0);
+    machine_replug(0);
+    assert_true(reader_run(&reader, &port, 2, CASE_BYTES));
+    assert_ptr_equal(reader.device, &machine.devices[1]);
+    port_close(&port);
+    case_end();
+}
+
+static void a_signal_is_no_error(void **state)
+{
+    (void)state;
+    for (int at = 1; at < 20; at++) {
+        struct port port;
+        struct reader reader = {0};
+        case_begin();
+        machine.interrupts_at = at;
+        machine_plug(0, "A1");
+        case_listen();
+        assert_int_equal(port_open(&port, "usb:", NULL), CLI_DONE);
+        bool good = reader_run(&reader, &port, 1, CASE_BYTES);
+        case_heard();
+        assert_true(good);
+        assert_string_equal(case_told, "");
+        port_close(&port);
+        case_end();
+    }
+}
+
 /* Through a pull and a stall. Whatever fails, either there is a message and an end, or it goes on after it. */
 static void every_call_may_fail(void **state)
 {
@@ -218,6 +315,11 @@ int main(void)
         cmocka_unit_test(it_waits_for_a_device),
         cmocka_unit_test(a_device_may_be_pulled_at_every_callback),
         cmocka_unit_test(an_endpoint_may_stall_at_every_callback),
+        cmocka_unit_test(a_device_that_stalls_for_ever_is_let_go_and_tried_again),
+        cmocka_unit_test(stalls_with_bytes_in_between_are_no_reason_to_leave),
+        cmocka_unit_test(after_an_error_the_device_is_opened_anew),
+        cmocka_unit_test(a_device_may_be_pulled_while_nobody_reads),
+        cmocka_unit_test(a_signal_is_no_error),
         cmocka_unit_test(every_call_may_fail),
         cmocka_unit_test(a_transfer_that_never_ends_is_not_freed),
         cmocka_unit_test(requests_go_one_by_one_and_the_newest_are_kept),

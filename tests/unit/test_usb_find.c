@@ -33,13 +33,13 @@ static void the_same_serial_number_is_waited_for(void **state)
 static void the_serial_number_chooses(void **state)
 {
     (void)state;
-    for (int named = 0; named < 2; named++) {
+    for (int named = 0; named < 4; named++) {
         struct port port;
         case_begin();
-        machine_plug(0, "A1");
-        machine_plug(1, "B2");
+        machine_plug(named < 2, "A1");
+        machine_plug(named >= 2, "B2");
         case_listen();
-        assert_int_equal(port_open(&port, named ? "usb:B2" : "usb:", named ? NULL : "B2"), CLI_DONE);
+        assert_int_equal(port_open(&port, named % 2 ? "usb:B2" : "usb:", named % 2 ? NULL : "B2"), CLI_DONE);
         case_heard();
         assert_string_equal(port.name, "usb:B2");
         assert_string_equal(case_told, "");
@@ -158,6 +158,27 @@ static void a_device_of_another_program_is_told_once(void **state)
     case_end();
 }
 
+static void where_there_is_no_usb_that_is_told_once(void **state)
+{
+    struct port port;
+    struct reader reader = {0};
+    (void)state;
+    case_begin();
+    machine.none = true;
+    case_listen();
+    assert_int_equal(port_open(&port, "usb:", NULL), CLI_DONE);
+    for (int i = 0; i < 100; i++)
+        reader_step(&reader, &port);
+    case_heard();
+    assert_string_equal(case_told, "usb: Some error\n");
+    assert_string_equal(port.why, "Some error");
+    machine.none = false;
+    machine_plug(0, "A1");
+    assert_true(reader_run(&reader, &port, 1, 1000));
+    port_close(&port);
+    case_end();
+}
+
 static void who_waits_no_longer_says_for_what(void **state)
 {
     struct port port;
@@ -186,17 +207,9 @@ static void devices_are_listed_without_what_a_terminal_would_obey(void **state)
     case_begin();
     machine_plug(0, "A1");
     machine_plug(2, "");
-    fflush(NULL);
-    int out = dup(1);
-    FILE *file = tmpfile();
-    dup2(fileno(file), 1);
+    const struct listen out = listen_begin(STDOUT_FILENO);
     int code = port_list();
-    fflush(NULL);
-    dup2(out, 1);
-    close(out);
-    rewind(file);
-    text[fread(text, 1, sizeof text - 1, file)] = 0;
-    fclose(file);
+    listen_end(&out, text, sizeof text);
     assert_int_equal(code, CLI_DONE);
     assert_string_equal(text, "A1  Glint virt?[2J  480 Mbit/s  3.4.0\n-  Glint virt?[2J  12 Mbit/s  3.4.2\n");
     case_end();
@@ -230,6 +243,7 @@ int main(void)
         cmocka_unit_test(access_denied_is_told_once_a_plug_with_its_remedy),
         cmocka_unit_test(a_right_that_comes_in_time_is_no_message),
         cmocka_unit_test(a_device_of_another_program_is_told_once),
+        cmocka_unit_test(where_there_is_no_usb_that_is_told_once),
         cmocka_unit_test(who_waits_no_longer_says_for_what),
         cmocka_unit_test(devices_are_listed_without_what_a_terminal_would_obey),
         cmocka_unit_test(a_list_of_none_says_why),

@@ -3,8 +3,7 @@
 #ifndef USB_CASE_H
 #define USB_CASE_H
 
-#include <unistd.h>
-
+#include "listen.h"
 #include "usb_machine.h"
 
 /* The port waits by the machine's clock. */
@@ -18,26 +17,17 @@
 #define CASE_BYTES 150000u /* of a device: more than all transfers hold */
 
 static char case_told[2048];
-static int case_error;
-static FILE *case_file;
+static struct listen case_errors;
 
 static void case_listen(void)
 {
-    fflush(NULL);
-    case_error = dup(2);
-    case_file = tmpfile();
-    dup2(fileno(case_file), 2);
+    case_errors = listen_begin(STDERR_FILENO);
 }
 
 static void case_heard(void)
 {
-    fflush(NULL);
-    dup2(case_error, 2);
-    close(case_error);
-    rewind(case_file);
-    case_told[fread(case_told, 1, sizeof case_told - 1, case_file)] = 0;
-    fclose(case_file);
-    case_file = NULL;
+    listen_end(&case_errors, case_told, sizeof case_told);
+    case_errors.file = NULL;
 }
 
 static unsigned case_lines(const char *text)
@@ -50,7 +40,7 @@ static unsigned case_lines(const char *text)
 
 static void case_begin(void)
 {
-    if (case_file)
+    if (case_errors.file)
         case_heard();
     random_seed(17);
     machine = (struct machine){.hotplug = true};

@@ -50,7 +50,11 @@ struct machine {
     int calls, fails_at;                                                  /* a call's number from 1 */
     int callbacks, unplugs_at, stalls_at, swallows_at; /* a callback's number from 1; swallows: never comes */
     bool in_callback, hotplug, arrived, mute;          /* mute: the device sends nothing and takes nothing */
-    int errors;                                        /* given since it was unplugged */
+    bool none;                                         /* there is no USB */
+    unsigned stalls_more;                              /* so often what is cleared stalls again at once */
+    int breaks_at, interrupts_at;                      /* a callback, with an error; a wait, by a signal */
+    int waits;
+    int errors; /* given since it was unplugged */
     double now;
     uint8_t heard[MACHINE_HEARD][32];
     unsigned heard_count;
@@ -98,7 +102,7 @@ static int machine_poll(struct pollfd *files, nfds_t count, int wait_ms)
 
 int libusb_init(libusb_context **context)
 {
-    if (machine_fails())
+    if (machine_fails() || machine.none)
         return LIBUSB_ERROR_OTHER;
     assert_int_equal(machine.contexts_open++, 0);
     *context = &machine.contexts[0];
@@ -253,7 +257,9 @@ int libusb_clear_halt(libusb_device_handle *handle, unsigned char endpoint)
         return LIBUSB_ERROR_NO_DEVICE;
     for (unsigned i = 0; i < machine.flying_count; i++)
         assert_int_not_equal(machine.flying[i]->endpoint, endpoint);
-    *(endpoint & LIBUSB_ENDPOINT_IN ? &handle->device->stalled_in : &handle->device->stalled_out) = false;
+    *(endpoint & LIBUSB_ENDPOINT_IN ? &handle->device->stalled_in : &handle->device->stalled_out) =
+        machine.stalls_more != 0;
+    machine.stalls_more -= machine.stalls_more != 0;
     return 0;
 }
 
@@ -351,6 +357,8 @@ static bool machine_complete(unsigned i)
         machine_call(i, LIBUSB_TRANSFER_CANCELLED, 0);
     else if (machine.halted[i])
         machine_call(i, LIBUSB_TRANSFER_STALL, 0);
+    else if (machine.callbacks + 1 == machine.breaks_at)
+        machine_call(i, LIBUSB_TRANSFER_ERROR, 0);
     else if (machine.callbacks + 1 == machine.stalls_at && !*stalled)
         *stalled = true, machine_call(i, LIBUSB_TRANSFER_STALL, in ? 64 : 0);
     else if (!machine.mute && !*stalled)
@@ -367,6 +375,8 @@ int libusb_handle_events_timeout_completed(libusb_context *context, struct timev
     assert_true(wait->tv_sec >= 0 && wait->tv_usec >= 0 && wait->tv_usec < 1000000);
     if (machine_fails())
         return LIBUSB_ERROR_IO;
+    if (++machine.waits == machine.interrupts_at)
+        return LIBUSB_ERROR_INTERRUPTED;
     if (machine.arrived && context->plugged) {
         machine.arrived = false;
         machine.in_callback = true;
