@@ -148,7 +148,7 @@ enum ffs_event ffs_next(struct ffs *ffs)
     if (there <= 0)
         return there ? FFS_BROKEN : FFS_STOPPED;
     long count = files_read(ffs->control, &event, sizeof event);
-    if (count != sizeof event)
+    if (count != (long)sizeof event)
         return count == -EAGAIN || count == -EINTR || count == -EIDRM ? FFS_NOTHING : FFS_BROKEN;
     switch (event.type) {
     case FUNCTIONFS_ENABLE:

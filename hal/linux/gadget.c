@@ -96,8 +96,8 @@ static int gadget_clear(struct problem *problem)
     char holder[GADGET_NAME];
     if (files_get(GADGET_UDC, holder, sizeof holder) == 0 && holder[0])
         return problem_set(problem, "another glint-device streams over USB already, by '%s'", holder);
-    for (unsigned i = GADGET_PARTS; i-- > 0;)
-        gadget_remove(&gadget_parts[i]);
+    for (unsigned i = GADGET_PARTS; i > 0; i--)
+        gadget_remove(&gadget_parts[i - 1]);
     return 0;
 }
 
