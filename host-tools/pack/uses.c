@@ -31,7 +31,7 @@ void uses_print(FILE *out, uint32_t uses)
             fprintf(out, " %s", n->name);
 }
 
-uint32_t uses_format(const char *name)
+uint32_t uses_find(const char *name)
 {
     for (const struct uses_name *n = uses_names; n->name; n++)
         if (n->bit & USES_FORMATS && !strcmp(n->name, name))

@@ -17,6 +17,6 @@ extern const struct uses_name uses_names[]; /* effects, then formats; the last h
 void uses_print(FILE *out, uint32_t uses);
 
 /* The bit of a format or of dither by its name (rgb565, ...); 0: there is none. */
-uint32_t uses_format(const char *name);
+uint32_t uses_find(const char *name);
 
 #endif
