@@ -5,6 +5,7 @@
 
 #include "scene/scene_effects.h"
 
+#include <stdint.h>
 #include <stdio.h>
 
 struct uses_name {
