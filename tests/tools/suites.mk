@@ -90,11 +90,13 @@ $(BUILD)/bench/device.csv: $(BENCH_ELF)
 	@rm -f $@.part; $(foreach c,$(CPUS),$(call QEMU,$(c)) -icount shift=0 -kernel $(BUILD)/$(c)/bench.elf | \
 		sed 's/^[^#]/$(c),&/; s/^#/# $(c):/' >>$@.part;) mv $@.part $@
 
-suite-bench: $(BUILD)/bench/device.csv
-	@tests/tools/bench_limits.sh $<
+plain = tests/tools/plain.sh $(1) "$(call QEMU,m3)" $(PLAIN_CPUS)
+suite-bench: $(BUILD)/bench/device.csv $(PLAIN_ELF)
+	@status=0; tests/tools/bench_limits.sh $< || status=1; $(call plain,check) || status=1; exit $$status
 
-bench-table: $(BUILD)/bench/device.csv $(BUILD)/bench/bench
+bench-table: $(BUILD)/bench/device.csv $(BUILD)/bench/bench $(PLAIN_ELF)
 	@tests/tools/bench.sh $< $(BUILD)/bench/bench
+	@echo; $(call plain,table)
 
 # What the report's program counts: $(1) the columns, $(2) its argument, $(3) the file
 define report_rule
