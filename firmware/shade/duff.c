@@ -22,7 +22,7 @@ void shade_duff(struct shade_setup *setup, const struct shade_input *in)
     /* sum li lj <= 1/3: the normal's squared length is at least 1 - 4/3 of the largest bend */
     most += (most + 2) * 43691u >> 17; /* a third, rounded up */
     factors.stretch = dots_length_factor(most < 65536 ? most : 65536);
-    factors.are_dots = 0;
+    factors.are_dots = factors.folds = 0;
     dots_setup(setup, in, &factors, 0);
     if (in->weight)
         piece_quadratic(in->weight, value, bulge);
