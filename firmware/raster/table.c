@@ -76,21 +76,23 @@ static void make(struct raster *r, struct table *table)
         table->specular[c] = s->light[0].specular[c];
     }
     table->exponent = s->power->exponent;
-    if (r->format == GLINT_RGB565) {
+    if (raster_is(r, GLINT_RGB565)) {
         make_colours(r, table->entry);
         return;
     }
-    const unsigned apart = s->channels == 1 ? 1 : 4;
-    for (unsigned c = 0; c < s->channels; c++)
-        make_highlights(s, c, table->entry + c, apart);
+    const unsigned channels = surface_channels(s);
+    for (unsigned c = 0; c < channels; c++)
+        make_highlights(s, c, table->entry + c, channels == 1 ? 1 : 4);
 }
 
 uint32_t table_bytes(unsigned format)
 {
-    static const uint16_t numbers[GLINT_FORMATS] = {[GLINT_RGB565] = TABLE_HIGHLIGHT * TABLE_DIFFUSE,
-                                                    [GLINT_RGB888] = 4 << TABLE_BITS,
-                                                    [GLINT_GREY8] = 1 << TABLE_BITS};
-    return numbers[format] ? sizeof(struct table) + 2u * numbers[format] : 0;
+    const uint32_t head = sizeof(struct table);
+    if (uses_format(format, GLINT_RGB565))
+        return head + 2 * TABLE_HIGHLIGHT * TABLE_DIFFUSE;
+    if (uses_format(format, GLINT_GREY8))
+        return head + (2 << TABLE_BITS);
+    return uses_format(format, GLINT_RGB888) ? head + (8 << TABLE_BITS) : 0;
 }
 
 static struct table *table_at(const struct raster *r, unsigned material)
@@ -107,8 +109,8 @@ void table_clear(struct raster *r)
 void table_find(struct raster *r)
 {
     r->surface_table = 0;
-    if (r->surface_material >= r->tables || r->dither || r->surface.lights != 1 ||
-        (r->format != GLINT_RGB565 && r->surface.form))
+    if (r->surface_material >= r->tables || raster_dithers(r) || surface_lights(&r->surface) != 1 ||
+        (!raster_is(r, GLINT_RGB565) && surface_form(&r->surface)))
         return;
     struct table *table = table_at(r, r->surface_material);
     if (!made_for(table, &r->surface))

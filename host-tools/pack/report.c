@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "pack/report.h"
 
+#include "pack/uses.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -53,6 +55,13 @@ void report_print_bytes(FILE *out, const struct scene_header *s)
     fputc('\n', out);
 }
 
+void report_print_effects(FILE *out, const struct scene_header *s)
+{
+    fputs("effects ", out);
+    uses_print(out, scene_effects(s));
+    fputc('\n', out);
+}
+
 void report_print(FILE *out, const struct pack_result *result)
 {
     const struct scene_header *s = result->scene;
@@ -73,5 +82,6 @@ void report_print(FILE *out, const struct pack_result *result)
         fprintf(out, "unused   %u meshes that no object shows were left out\n", result->report->unused_meshes);
     fprintf(out, "scene    %u meshes, %u materials, %u power tables, %u lights, %u objects, %u keys\n", s->mesh_count,
             s->material_count, s->power_count, s->light_count, s->object_count, s->key_count);
+    report_print_effects(out, s);
     report_print_bytes(out, s);
 }
