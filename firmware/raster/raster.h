@@ -123,7 +123,8 @@ struct glint_method {
     const struct glint_method *(*choose)(const struct shade_input *in);
 };
 
-/* These methods' draw. */
+/* These methods' draw. flat's is of r->setup.flat. */
+uint32_t draw_flat(struct raster *r, struct edges *e);
 uint32_t draw_gouraud(struct raster *r, struct edges *e);
 uint32_t draw_color6(struct raster *r, struct edges *e);
 

@@ -8,7 +8,7 @@
  * quadratic ones that would cost more than it saves, as half of a dense mesh's rows hold no pixel.
  *
  * What channels count in, where kind has
- *   SPANS_COLOUR     finished colours: Q24 steps, half a step more
+ *   SPANS_COLOUR     finished colours, Q24 steps
  *   RGB565           N.L in Q30 from half a table's step before 0
  *   GREY8            N.L in Q22 steps of the output (shade/steps.h)
  *   RGB888           N.L in Q30
@@ -84,7 +84,8 @@ static inline __attribute__((always_inline)) uint32_t spans_grey(const struct sp
         if (kind & SPANS_POWER) { /* powers are at most 2^15, the step's light below 2^16; the product in Q7 steps */
             const uint32_t t = fx_saturated((uint32_t)((int32_t)v->h >> look->down), 22, 0);
             const uint16_t *p = &look->table[t >> 15];
-            sum += (p[0] + ((uint32_t)(p[1] - p[0]) * (t & 0x7fff) >> 15)) * look->specular >> 16;
+            const uint32_t power = p[0] + ((uint32_t)(p[1] - p[0]) * (t & 0x7fff) >> 15);
+            sum += (power * look->specular >> 16) & ~(uint32_t)((int32_t)v->h >> 31); /* none below the foot */
         } else if (kind & SPANS_WIDE) {
             sum = look->table[fx_saturated((uint32_t)((int32_t)v->h >> look->down), TABLE_BITS, 0)];
         } else if (kind & SPANS_HIGHLIGHT) {
@@ -231,6 +232,11 @@ FX_WRAPS static inline __attribute__((always_inline)) uint32_t spans_draw(struct
     volatile uint32_t hidden = 0;
     uint32_t j = (uint32_t)(e->row - setup->plane.oy), row = (uint32_t)(e->row - r->y0) * width, covered = 0;
     struct spans_values v = spans_at(setup, 0u - ox, j, kind); /* linear: at the row's column 0 */
+    if (kind & SPANS_COLOUR) { /* to the nearest step */
+        v.l += 1u << 23;
+        v.h += 1u << 23;
+        v.c += 1u << 23;
+    }
     const uint32_t ez = setup->depth.p.e, el = setup->channel[0].p.e, eh = setup->channel[1].p.e,
                    ec = setup->channel[2].p.e;
     do {

@@ -10,10 +10,15 @@ SPANS_CASE(plain, SPANS_GREY8 | SPANS_PLAIN)
 SPANS_CASE(plain_quadratic, SPANS_GREY8 | SPANS_PLAIN | SPANS_QUADRATIC)
 SPANS_CASE(diffuse, SPANS_GREY8 | SPANS_DIFFUSE)
 SPANS_CASE(diffuse_quadratic, SPANS_GREY8 | SPANS_DIFFUSE | SPANS_QUADRATIC)
-SPANS_CASE(both, BOTH)
-SPANS_CASE(both_quadratic, BOTH | SPANS_QUADRATIC)
 SPANS_CASE(both_wide, BOTH | SPANS_QUADRATIC | SPANS_WIDE)
 SPANS_CASE(both_power, BOTH | SPANS_QUADRATIC | SPANS_POWER)
+#if SPANS_BY_HAND
+#define both(r, e, look)           spans_by_hand(r, e, look, 1, spans_hand_grey)
+#define both_quadratic(r, e, look) spans_by_hand(r, e, look, 1, spans_hand_grey_quadratic)
+#else
+SPANS_CASE(both, BOTH)
+SPANS_CASE(both_quadratic, BOTH | SPANS_QUADRATIC)
+#endif
 
 uint32_t spans_grey8_constant(struct raster *r, struct edges *e, uint32_t colour)
 {
@@ -21,10 +26,9 @@ uint32_t spans_grey8_constant(struct raster *r, struct edges *e, uint32_t colour
     return constant(r, e, &look);
 }
 
-FX_WRAPS uint32_t spans_grey8_colours(struct raster *r, struct edges *e)
+uint32_t spans_grey8_colours(struct raster *r, struct edges *e)
 {
     const struct spans_look look = {0};
-    r->setup.channel[0].p.f += 1u << 23;
     return colours(r, e, &look);
 }
 
@@ -50,7 +54,7 @@ FX_WRAPS uint32_t spans_grey8_dots(struct raster *r, struct edges *e)
 {
     struct shade_setup *setup = &r->setup;
     const struct spans_look look = {.colour = r->surface.ambient};
-    if (setup->specular_lights)
+    if (shade_specular(setup))
         return draw_highlight(r, e);
     if (!setup->diffuse_lights)
         return spans_grey8_constant(r, e, look.colour >> 7);

@@ -15,11 +15,9 @@ uint32_t spans_rgb888_constant(struct raster *r, struct edges *e, uint32_t colou
     return constant(r, e, &look);
 }
 
-FX_WRAPS uint32_t spans_rgb888_colours(struct raster *r, struct edges *e)
+uint32_t spans_rgb888_colours(struct raster *r, struct edges *e)
 {
     const struct spans_look look = {0};
-    for (unsigned c = 0; c < 3; c++)
-        r->setup.channel[c].p.f += 1u << 23;
     return colours(r, e, &look);
 }
 
@@ -29,7 +27,7 @@ uint32_t spans_rgb888_dots(struct raster *r, struct edges *e)
     const struct spans_look look = {.table = r->surface_table->entry,
                                     .diffuse = r->surface.light[0].diffuse,
                                     .down = 30u - TABLE_BITS - r->surface.power->octave};
-    if (!setup->specular_lights)
+    if (!shade_specular(setup))
         return setup->diffuse_lights ? diffuse(r, e, &look) : spans_rgb888_constant(r, e, raster_colour(r, r->surface.base));
     spans_highlight(r);
     return setup->wide ? both_wide(r, e, &look) : both(r, e, &look);

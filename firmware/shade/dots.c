@@ -141,7 +141,7 @@ void dots_setup(struct shade_setup *setup, const struct shade_input *in, const s
             if (!dots_show(setup, in, i, which, range, bend, form != 0, &error))
                 continue;
             *shown[which] |= (uint8_t)(1u << i);
-            const int in_steps = !which && factors->folds && s->fold && !perspective;
+            const int in_steps = !which && factors->folds && surface_fold(s) && !perspective;
             interpolate(setup, in, 2 * i + which, error < s->bend_limit, samples.corner[which], bulge, perspective,
                         which && folds ? form : 0, in_steps);
             if (in_steps) {

@@ -74,7 +74,7 @@ static inline __attribute__((always_inline)) int dots_show(struct shade_setup *s
     *error = 0; /* steps in Q8 at full intensity times a Q14 bend: below 2^16 * 2^16 */
     if (top < floor && (!in->no_plan || deep))
         return 0;
-    if (highlight)
+    if (highlight && USES(USES_FORMATS & ~USES_GREY4))
         setup->wide |= (uint8_t)dots_wide(s->power, range, bend);
     if (top < floor)
         return 1;

@@ -50,6 +50,10 @@ static inline const struct glint_power *surface_form(const struct surface *s)
 {
     return USES(USES_POWERS) ? s->form : 0;
 }
+static inline uint32_t surface_fold(const struct surface *s)
+{
+    return USES(USES_GREY8) ? s->fold : 0;
+}
 
 void surface_setup(struct surface *surface, const struct scene_header *scene, const struct scene_material *material,
                    const struct palette *palette);

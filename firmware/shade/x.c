@@ -36,7 +36,7 @@ static inline __attribute__((always_inline)) int interpolate(struct shade_setup 
         if (in->weight)
             piece_quadratic(in->weight, value, bulge);
     }
-    if (!highlight && in->surface->fold) {
+    if (!highlight && surface_fold(in->surface)) {
         steps_fold(in->surface, value);
         if (!linear)
             steps_fold_bulges(in->surface, bulge);
