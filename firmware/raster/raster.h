@@ -126,6 +126,7 @@ struct glint_method {
 /* These methods' draw. flat's is of r->setup.flat. */
 uint32_t draw_flat(struct raster *r, struct edges *e);
 uint32_t draw_gouraud(struct raster *r, struct edges *e);
+uint32_t draw_duff(struct raster *r, struct edges *e);
 uint32_t draw_color6(struct raster *r, struct edges *e);
 
 /* 1 / W of n pixels, and the reciprocal length of their normals (SHADE_SQUARE), into r->divisor. */

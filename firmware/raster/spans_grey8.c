@@ -12,6 +12,8 @@ SPANS_CASE(diffuse, SPANS_GREY8 | SPANS_DIFFUSE)
 SPANS_CASE(diffuse_quadratic, SPANS_GREY8 | SPANS_DIFFUSE | SPANS_QUADRATIC)
 SPANS_CASE(both_wide, BOTH | SPANS_QUADRATIC | SPANS_WIDE)
 SPANS_CASE(both_power, BOTH | SPANS_QUADRATIC | SPANS_POWER)
+SPANS_CASE(lengths_diffuse, SPANS_GREY8 | SPANS_LENGTH | SPANS_QUADRATIC | SPANS_DIFFUSE)
+SPANS_CASE(lengths, BOTH | SPANS_LENGTH | SPANS_QUADRATIC)
 #if SPANS_BY_HAND
 #define both(r, e, look)           spans_by_hand(r, e, look, 1, spans_hand_grey)
 #define both_quadratic(r, e, look) spans_by_hand(r, e, look, 1, spans_hand_grey_quadratic)
@@ -63,4 +65,20 @@ FX_WRAPS uint32_t spans_grey8_dots(struct raster *r, struct edges *e)
         return setup->quadratic ? plain_quadratic(r, e, &look) : plain(r, e, &look);
     }
     return setup->quadratic ? diffuse_quadratic(r, e, &look) : diffuse(r, e, &look);
+}
+
+FX_WRAPS uint32_t spans_grey8_lengths(struct raster *r, struct edges *e)
+{
+    struct shade_setup *setup = &r->setup;
+    const struct fx_power *power = r->surface.power;
+    const struct spans_look look = {.table = r->surface_table->entry,
+                                    .colour = r->surface.ambient,
+                                    .foot = (1u << 30) - (1u << (30 - power->octave)),
+                                    .down = 30u - TABLE_BITS - power->octave};
+    if (!setup->diffuse_lights)
+        setup->channel[0].p = (struct polynomial){0};
+    if (!shade_specular(setup))
+        return setup->diffuse_lights ? lengths_diffuse(r, e, &look) : spans_grey8_constant(r, e, look.colour >> 7);
+    setup->channel[1].p.f += 1u << 14; /* half of what a pixel drops before it multiplies */
+    return lengths(r, e, &look);
 }

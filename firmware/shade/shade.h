@@ -30,7 +30,7 @@ struct shade_input {
         *colours)[COLOUR_WORDS]; /* for finished colours; null: they are kept with the vertices, one CPU's alone */
     uint8_t divides;             /* the view is a perspective one */
     uint8_t no_plan;             /* keep effects that cannot show */
-    uint8_t tabled;              /* a colour table holds the material's power, of N.H itself */
+    uint8_t tabled;              /* a table holds the material's power, of N.H itself */
     uint8_t sampled; /* mid-edges may need a look of their own: something is near, or the power has another form */
 };
 
@@ -79,6 +79,10 @@ struct part_split {
     uint16_t next; /* the next of the 4 to be drawn */
 };
 #define PART_DEPTH 5 /* times that a triangle is split at most */
+
+/* The largest bend, Q16, at which 1 - |N|^2 <= 4/3 bend stays below 1/4, less 1/500 for the channel's error: about 51
+ * degrees between two normals. */
+#define SHADE_LENGTH_BEND 12200
 
 struct shade_setup {
     union { /* what set-up finds out, all 0 before it */
