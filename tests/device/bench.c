@@ -6,7 +6,8 @@
  *                                        tables; the last number is the picture's, the same on every CPU
  *   bench power                          the first scene by x, likewise, with each form and some exponents of the
  *                                        highlight's power
- *   bench SCENE METHOD BANDS TABLES N    one of them, N frames, nothing printed: for profilers, which look at the calls
+ *   bench SCENE METHOD BANDS TABLES N [grey8|rgb888]
+ *                                        one of them, N frames, nothing printed: for profilers, which look at the calls
  *                                        of bench_frame()
  */
 #include "scene/scene.h"
@@ -224,11 +225,16 @@ static int bench_asked(const char *method, int argc, char **argv)
     return asked;
 }
 
+static enum glint_format bench_format(const char *name)
+{
+    return !name ? GLINT_RGB565 : text_equal(name, "grey8") ? GLINT_GREY8 : GLINT_RGB888;
+}
+
 static int bench_run(const struct program_scene *scene, const struct glint_choice *method, char **argv)
 {
     struct glint_config config;
     struct glint_frame frame;
-    if (bench_init(&frame, &config, scene->blob, method, 0, GLINT_RGB565, text_number(argv[3]),
+    if (bench_init(&frame, &config, scene->blob, method, 0, bench_format(argv[6]), text_number(argv[3]),
                    (uint8_t)text_number(argv[4])) != 0)
         return 1;
     for (uint32_t i = text_number(argv[5]); i; i--)
@@ -241,7 +247,7 @@ int program_main(int argc, char **argv)
 {
     int bad = 0;
     if (argc >= 2 && (text_equal(argv[1], "grey8") || text_equal(argv[1], "rgb888"))) {
-        const enum glint_format format = text_equal(argv[1], "grey8") ? GLINT_GREY8 : GLINT_RGB888;
+        const enum glint_format format = bench_format(argv[1]);
         for (unsigned s = 0; s < program_scene_count; s++)
             for (unsigned m = 0; m < glint_choice_count; m++)
                 if (bench_asked(glint_choices[m].name, argc, argv))
