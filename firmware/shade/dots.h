@@ -72,7 +72,7 @@ static inline __attribute__((always_inline)) int dots_show(struct shade_setup *s
     int32_t top = range.high + bend, floor = highlight && !form ? s->floor : 1;
     int deep = highlight && range.low - bend - floor < -32768 + 256; /* less the floor, it may pass -2 in Q30 */
     *error = 0; /* steps in Q8 at full intensity times a Q14 bend: below 2^16 * 2^16 */
-    if (top < floor && (!in->no_plan || deep))
+    if (top < floor && (!in->no_plan || deep || light)) /* of the others it matters that they do not show */
         return 0;
     if (highlight && USES(USES_FORMATS & ~USES_GREY4))
         setup->wide |= (uint8_t)dots_wide(s->power, range, bend);

@@ -116,6 +116,12 @@ struct shade_setup {
     uint32_t flat[3]; /* flat: the finished colour, Q15 steps */
 };
 
+/* Whether no light but the first shows: the triangle is then drawn as under one light. Once the others are set up. */
+static inline int shade_alone(const struct shade_setup *setup)
+{
+    return !USES(USES_SEVERAL_LIGHTS) || (setup->diffuse_lights | setup->specular_lights) <= 1;
+}
+
 /* The lights whose highlight shows. */
 static inline unsigned shade_specular(const struct shade_setup *setup)
 {

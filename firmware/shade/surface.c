@@ -71,7 +71,7 @@ FX_COLD void surface_setup(struct surface *surface, const struct scene_header *s
     }
     surface->floor = (int16_t)bounds_power_floor(surface->power);
     surface->fold = surface->ambient = 0;
-    if (USES(USES_GREY8) && palette->channels == 1 && palette->top[0] == 255 && surface->lights == 1 &&
+    if (USES(USES_GREY8) && palette->channels == 1 && palette->top[0] == 255 && surface->lights &&
         !surface_form(surface)) {
         surface->fold = surface->light[0].diffuse[0];
         surface->ambient = (uint16_t)((surface->base[0] >> 8) + (1 << 6));

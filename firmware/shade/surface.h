@@ -22,11 +22,11 @@ struct surface {
     uint8_t bend_limit; /* a bend that moves a channel by less is left out: half a step over all lights, Q8 */
     uint8_t highlights; /* some channel of `specular` is not 0 */
     int16_t floor;      /* of N.H, Q14: below it a highlight is not seen; the foot of the power, see surface_floor() */
-    /* 8-bit grey under one light (shade/steps.h), else 0: diffuse light in Q16 of 256 steps, and the ambient part with
+    /* 8-bit grey (shade/steps.h), else 0: the first light's diffuse part in Q16 of 256 steps, and the ambient part with
      * the rounding half, Q7 steps */
     uint16_t fold, ambient;
-    uint32_t base[3];   /* ambient part, Q15 steps, at most 255 * 2^15 */
-    uint32_t top[3];    /* full intensity, Q15 steps */
+    uint32_t base[3]; /* ambient part, Q15 steps, at most 255 * 2^15 */
+    uint32_t top[3];  /* full intensity, Q15 steps */
     struct {
         uint16_t diffuse[3], specular[3];     /* at N.L = 1, (N.H)^n = 1: Q8 steps, at most 255 * 2^8 */
         uint16_t diffuse_most, specular_most; /* the largest of each */

@@ -36,7 +36,7 @@ static inline __attribute__((always_inline)) int interpolate(struct shade_setup 
         if (in->weight)
             piece_quadratic(in->weight, value, bulge);
     }
-    if (!highlight && surface_fold(in->surface)) {
+    if (!highlight && steps_apply(setup, in->surface)) {
         steps_fold(in->surface, value);
         if (!linear)
             steps_fold_bulges(in->surface, bulge);
@@ -89,7 +89,7 @@ void shade_x(struct shade_setup *setup, const struct shade_input *in)
     }
     int32_t curl = bounds_curl(in->triangle->bend);
     setup->runs_only = setup->depth.exact != 0;
-    for (unsigned i = 0; i < surface_lights(in->surface); i++) {
+    for (unsigned i = surface_lights(in->surface); i--;) { /* the first last: is it alone? */
         if (interpolate(setup, in, i, 0, curl))
             setup->diffuse_lights |= (uint8_t)(1u << i);
         if (surface_highlights(in->surface) && interpolate(setup, in, i, 1, curl))
