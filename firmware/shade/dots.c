@@ -142,8 +142,8 @@ void dots_setup(struct shade_setup *setup, const struct shade_input *in, const s
                 continue;
             *shown[which] |= (uint8_t)(1u << i);
             const int in_steps = !which && factors->folds && steps_apply(setup, s) && !perspective;
-            interpolate(setup, in, 2 * i + which, error < s->bend_limit, samples.corner[which], bulge, perspective,
-                        which && folds ? form : 0, in_steps);
+            interpolate(setup, in, 2 * i + which, error < dots_limit(setup, s, i), samples.corner[which], bulge,
+                        perspective, which && folds ? form : 0, in_steps);
             if (in_steps) {
                 setup->in_steps = 1;
                 setup->plain = (uint8_t)steps_plain(s, range, bend);

@@ -87,6 +87,12 @@ static inline __attribute__((always_inline)) int dots_show(struct shade_setup *s
     return 1;
 }
 
+/* The change, in Q8 steps, below which a light's bend is left out. */
+static inline uint32_t dots_limit(const struct shade_setup *setup, const struct surface *s, unsigned light)
+{
+    return !light && shade_alone(setup) ? 128 : s->bend_limit;
+}
+
 /* Fills channels 2 l and 2 l + 1 of each light that can show, linear where the bend cannot; perspective-correct if
  * `perspective` is not null. */
 void dots_setup(struct shade_setup *setup, const struct shade_input *in, const struct dots_factors *factors,

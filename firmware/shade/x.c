@@ -30,7 +30,7 @@ static inline __attribute__((always_inline)) int interpolate(struct shade_setup 
     const int32_t bend = bounds_bend(range, curl);
     if (!dots_show(setup, in, light, highlight, range, bend, 0, &error))
         return 0;
-    int linear = error < in->surface->bend_limit;
+    int linear = error < dots_limit(setup, in->surface, light);
     if (!linear || in->weight) {
         bulges(value, in->triangle, bulge);
         if (in->weight)
