@@ -55,7 +55,8 @@ void dots_bulges(const int32_t corner[3], const int32_t middle[3], const struct 
     }
 }
 
-int32_t dots_bulge_bend(const int32_t bulge[3])
+/* A third of the largest bulge, rounded up, in Q14; 2 for the roundings of bulges and corner values. */
+static int32_t bend_of(const int32_t bulge[3])
 {
     int32_t most = 0;
     for (int k = 0; k < 3; k++) {
@@ -133,7 +134,7 @@ void dots_setup(struct shade_setup *setup, const struct shade_input *in, const s
             dots_bulges(samples.corner[which], samples.middle[which], factors, bulge);
             range.low = range.low < 0 ? stretched(range.low, factors->stretch) : range.low;
             range.high = stretched(range.high, factors->stretch);
-            int32_t bend = stretched(dots_bulge_bend(bulge), factors->stretch);
+            int32_t bend = stretched(bend_of(bulge), factors->stretch);
             bend = bend < MOST_BEND ? bend : MOST_BEND;
             if (!dots_show(setup, in, i, which, range, bend, form != 0, &error))
                 continue;
