@@ -31,7 +31,6 @@ struct surface {
         uint16_t diffuse[3], specular[3];     /* at N.L = 1, (N.H)^n = 1: Q8 steps, at most 255 * 2^8 */
         uint16_t diffuse_most, specular_most; /* the largest of each */
     } light[SCENE_MAX_LIGHTS];
-    struct plan_surface plan; /* glint_auto's; its power is null until surface_plan() has filled it */
 };
 
 /* Of them, what a program for given scenes and formats knows at once. */
