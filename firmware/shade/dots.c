@@ -85,15 +85,13 @@ FX_WRAPS void dots_quadratic(struct shade_setup *setup, const int32_t value[3], 
 
 static void interpolate(struct shade_setup *setup, const struct shade_input *in, unsigned index, int linear,
                         int32_t value[3], int32_t bulge[3], const struct perspective *perspective,
-                        const struct glint_power *form, int in_steps)
+                        const struct glint_power *form, struct bounds range, int32_t bend, int in_steps)
 {
     struct channel *channel = &setup->channel[index];
     if (in->weight)
         piece_quadratic(in->weight, value, bulge);
-    if (in_steps) {
-        steps_fold(in->surface, value);
-        steps_fold_bulges(in->surface, bulge);
-    }
+    if (in_steps)
+        steps_take(setup, in->surface, range, bend, value, bulge);
     if (form) {
         int32_t folded[3];
         setup->folded = (uint8_t)form->fold(in->surface->power->exponent, value, bulge, folded, bulge);
@@ -143,11 +141,7 @@ void dots_setup(struct shade_setup *setup, const struct shade_input *in, const s
             *shown[which] |= (uint8_t)(1u << i);
             const int in_steps = !which && factors->folds && steps_apply(setup, s) && !perspective;
             interpolate(setup, in, 2 * i + which, error < dots_limit(setup, s, i), samples.corner[which], bulge,
-                        perspective, which && folds ? form : 0, in_steps);
-            if (in_steps) {
-                setup->in_steps = 1;
-                setup->plain = (uint8_t)steps_plain(s, range, bend);
-            }
+                        perspective, which && folds ? form : 0, range, bend, in_steps);
         }
     }
 }

@@ -61,6 +61,12 @@ static inline int dots_wide(const struct fx_power *power, struct bounds range, i
     return floor - range.low + bend > most || range.high + bend - floor > most;
 }
 
+/* N.H less the foot of the power may pass -2 in Q30. */
+static inline int dots_deep(const struct fx_power *power, struct bounds range, int32_t bend)
+{
+    return range.low - bend - bounds_power_floor(power) < -32768 + 256;
+}
+
 /* Whether one dot product of a light, within `range` at the corners and at most `bend` off linear, can show on the
  * triangle (`form`: by another power than the table); if so, *error is what leaving out the bend would change, in Q8
  * steps. Twice a triangle and light, with `highlight` constant. */
@@ -69,8 +75,8 @@ static inline __attribute__((always_inline)) int dots_show(struct shade_setup *s
                                                            int32_t bend, int form, uint32_t *error)
 {
     const struct surface *s = in->surface;
-    int32_t top = range.high + bend, floor = highlight && !form ? s->floor : 1;
-    int deep = highlight && range.low - bend - floor < -32768 + 256; /* less the floor, it may pass -2 in Q30 */
+    int32_t top = range.high + bend, floor = highlight && !form ? bounds_power_floor(s->power) : 1;
+    const int deep = highlight && (form ? range.low - bend < -32768 + 257 : dots_deep(s->power, range, bend));
     *error = 0; /* steps in Q8 at full intensity times a Q14 bend: below 2^16 * 2^16 */
     if (top < floor && (!in->no_plan || deep || light)) /* of the others it matters that they do not show */
         return 0;

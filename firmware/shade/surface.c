@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "shade/surface.h"
 
-#include "plan/bounds.h"
-
 /* Product of two Q15 numbers of at most 1, rounded. */
 static uint32_t times(uint32_t a, uint32_t b)
 {
@@ -52,6 +50,7 @@ FX_COLD void surface_setup(struct surface *surface, const struct scene_header *s
     static const uint8_t limit[SCENE_MAX_LIGHTS + 1] = {128, 128, 64, 42, 32, 25, 21, 18, 16}; /* 128 / lights */
     uint32_t rgb[3];
     surface->power = scene_powers(scene) + material->power;
+    surface->plan.power = 0;
     surface->channels = palette->channels;
     surface->lights = (uint8_t)scene->light_count;
     surface->highlights = 0;
@@ -69,7 +68,6 @@ FX_COLD void surface_setup(struct surface *surface, const struct scene_header *s
             reflected(palette, material->specular, material->ks, light[i].colour, surface->light[i].specular);
         surface->highlights |= surface->light[i].specular_most != 0;
     }
-    surface->floor = (int16_t)bounds_power_floor(surface->power);
     surface->fold = surface->ambient = 0;
     if (USES(USES_GREY8) && palette->channels == 1 && palette->top[0] == 255 && surface->lights &&
         !surface_form(surface)) {
@@ -78,15 +76,37 @@ FX_COLD void surface_setup(struct surface *surface, const struct scene_header *s
     }
 }
 
-FX_COLD int16_t surface_floor(const struct surface *surface, uint32_t part_q8)
+/* Steps of a channel's output (Q8) in 1/255 of full intensity, rounded up; at most 255 and a little. */
+static uint32_t in_255(uint32_t steps, unsigned top)
 {
-    uint32_t most = 0, step = 0;
-    for (unsigned i = 0; i < surface->lights; i++)
-        most += surface->light[i].specular_most; /* Q8 steps at a power of 2^15: below 8 * 2^16 */
-    /* the power never falls, and between the table's steps it is linear */
-    while (step < FX_POWER_STEPS && (uint64_t)surface->power->value[step + 1] * most < (uint64_t)part_q8 << 15)
-        step++;
-    return (int16_t)((1 << 14) - ((FX_POWER_STEPS - step) << 7 >> surface->power->octave));
+    return (steps * 255 + top - 1) / top; /* below 2^24 */
+}
+
+FX_COLD void surface_plan(struct surface *surface, const struct palette *palette, uint16_t budget)
+{
+    struct plan_surface *plan = &surface->plan;
+    uint32_t base = 0;
+    plan->power = surface->power;
+    plan->budget = budget;
+    plan->lights = surface->lights;
+    plan->highlights = surface->highlights;
+    plan->foot = (int16_t)((1 << 14) - ((1 << 14) >> surface->power->octave));
+    for (unsigned c = 0; c < surface->channels; c++) {
+        const uint32_t ambient = in_255(surface->base[c] >> 7, palette->top[c]);
+        base = ambient > base ? ambient : base;
+    }
+    plan->full = (uint16_t)(base < 255u << 8 ? (255u << 8) - base : 0);
+    for (unsigned i = 0; i < surface->lights; i++) {
+        uint32_t diffuse = 0, specular = 0;
+        for (unsigned c = 0; c < surface->channels; c++) {
+            const uint32_t d = in_255(surface->light[i].diffuse[c], palette->top[c]),
+                           h = in_255(surface->light[i].specular[c], palette->top[c]);
+            diffuse = d > diffuse ? d : diffuse;
+            specular = h > specular ? h : specular;
+        }
+        plan->light[i].diffuse = (uint16_t)diffuse;
+        plan->light[i].specular = (uint16_t)specular;
+    }
 }
 
 void surface_shade(const struct surface *surface, const int16_t *lights_q14, uint32_t *out)
