@@ -113,7 +113,7 @@ static void take_material(struct raster *r, const struct scene_header *scene, un
     r->surface_material = (uint16_t)material;
     surface_setup(&r->surface, scene, scene_materials(scene) + material, &r->palette);
     table_find(r);
-    r->input.tabled = r->surface_table != 0;
+    r->input.tabled = r->surface_table != 0 && raster_is(r, GLINT_RGB565);
 }
 
 /* Turns a listed triangle into the rasteriser's input: corners 0, 2, 1, which is clockwise with y down. */
