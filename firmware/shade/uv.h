@@ -18,6 +18,7 @@
 #ifndef GLINT_UV_H
 #define GLINT_UV_H
 
+#include "glint.h"
 #include "shade/perspective.h"
 
 /* Of the input's corners: Q28, and the si in Q16 by a common factor, the largest at least 2^15. */
@@ -37,7 +38,8 @@ int32_t uv_ratio(uint32_t si, uint32_t sj);
  * in the middle lies below the mean. */
 static inline int32_t uv_bulge(int64_t difference, int32_t ratio)
 {
-    return (int32_t)-((difference * ratio) >> 31); /* 2^32 * 2^30; at most 2^31 by a little, where it wraps: 16 turns */
+    return (int32_t) -
+           ((difference * ratio) >> 31); /* 2^32 * 2^30; at most 2^31 by a little, where it wraps: 16 turns */
 }
 
 /* Fills setup->uv, and setup->uv_kind with a kind that uv_values() knows: `split` becomes perspective, quadratic
