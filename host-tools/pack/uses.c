@@ -20,6 +20,7 @@ const struct uses_name uses_names[] = {{USES_TEXTURE, "texture"},
                                        {USES_GREY8, "grey8"},
                                        {USES_GREY4, "grey4"},
                                        {USES_DITHER, "dither"},
+                                       {USES_POWERS, "powers"},
                                        {0, NULL}};
 
 void uses_print(FILE *out, uint32_t uses)
@@ -31,10 +32,25 @@ void uses_print(FILE *out, uint32_t uses)
             fprintf(out, " %s", n->name);
 }
 
-uint32_t uses_find(const char *name)
+static uint32_t find_one(const char *name, size_t length)
 {
     for (const struct uses_name *n = uses_names; n->name; n++)
-        if (n->bit & USES_FORMATS && !strcmp(n->name, name))
+        if (n->bit & ~USES_EFFECTS && strlen(n->name) == length && !strncmp(n->name, name, length))
             return n->bit;
     return 0;
+}
+
+uint32_t uses_find(const char *names)
+{
+    uint32_t uses = 0;
+    for (;; names++) {
+        const size_t length = strcspn(names, ",");
+        const uint32_t bit = find_one(names, length);
+        if (!bit)
+            return 0;
+        uses |= bit;
+        names += length;
+        if (!*names)
+            return uses;
+    }
 }

@@ -16,7 +16,7 @@ extern const struct uses_name uses_names[]; /* effects, then formats; the last h
 /* The names of a set, each behind a space, or " none". */
 void uses_print(FILE *out, uint32_t uses);
 
-/* The bit of a format or of dither by its name (rgb565, ...); 0: there is none. */
-uint32_t uses_find(const char *name);
+/* The set of formats, and dither, of names apart by commas; 0 if one is no such name. */
+uint32_t uses_find(const char *names);
 
 #endif
