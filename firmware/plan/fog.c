@@ -158,29 +158,28 @@ FX_COLD void fog_begin(struct fog *fog, const struct scene_header *scene)
         fog->kind = FOG_NONE;
 }
 
-/* How far the interpolation of u between the extremes can be above it, Q16. They differ by less than 4. */
+/* How far the interpolation of u between the extremes can be above it, Q16. They differ by less than 1. */
 static uint32_t bow_of(const struct fog *fog, int32_t near, int32_t far)
 {
     if (!fog->divides)
         return 0;
-    const uint32_t step = (uint32_t)(far - near); /* below 2^18 */
-    const uint32_t sum = 3 * ((uint32_t)(near + fog->offset) >> 3) + ((uint32_t)(far + fog->offset) >> 3); /* < 2^30 */
-    return sum ? ((step >> 3) * (step >> 3) / sum << 3) + 8 : step; /* (step / 8)^2 < 2^30 */
+    const uint32_t step = (uint32_t)(far - near);
+    /* z in u's units: at most MOST, so a quarter of the sum is at most 2^30 */
+    const uint32_t sum = 3 * ((uint32_t)(near + fog->offset) >> 2) + ((uint32_t)(far + fog->offset) >> 2);
+    return sum ? (step * step >> 2) / sum + 2 : step;
 }
 
 /* How far the interpolated part can be off, Q16. */
 static uint32_t linear_error(const struct fog *fog, int32_t near, int32_t far)
 {
-    if (far - near >= 4 * ONE)
+    if (far - near >= ONE)
         return ONE;
-    uint32_t bow = bow_of(fog, near, far);
+    uint32_t bow = bow_of(fog, near, far); /* at most their difference and 2 */
     if (fog->kind == FOG_EXPONENTIAL) {
-        const uint32_t step = (uint32_t)(far - near) >> 2;    /* below 2^16 */
-        const uint32_t curve = (step * step >> 16) * 62 >> 6; /* (4 step)^2 (ln 2)^2 / 8 = .961 step^2 < 62/64 */
-        bow = (bow >> 1) + (bow >> 2);                        /* ln 2 < 3/4 */
-        bow = bow > curve ? bow : curve;
-        /* below 2^18 and at most 2^16 */
-        return fx_mulhi_u32(bow << 8, fx_exp2_minus(near > 0 ? (uint32_t)near : 0) << 8) + 2;
+        const uint32_t step = (uint32_t)(far - near), curve = step * step >> 20; /* (ln 2)^2 / 8 < 2^-4 */
+        bow = bow * 45427 >> 16;                                                 /* ln 2 */
+        bow = (bow > curve ? bow : curve) + 1;
+        return (bow * fx_exp2_minus(near > 0 ? (uint32_t)near : 0) >> 16) + 2; /* bow < 3/4 * 2^16 */
     }
     return bow + (uint32_t)(near < 0 ? -near : 0) + (uint32_t)(far > ONE ? far - ONE : 0);
 }

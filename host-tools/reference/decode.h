@@ -24,6 +24,7 @@ struct decode_material {
     double diffuse[3];  /* diffuse * kd */
     double specular[3]; /* specular * ks */
     double shininess;
+    bool two_sided;
 };
 
 struct decode_light {
@@ -32,11 +33,17 @@ struct decode_light {
     double colour[3];
 };
 
+struct decode_fog {
+    int kind; /* enum scene_fog_kind */
+    double colour[3], from, to, density;
+};
+
 struct decode_view {
     bool perspective, local_viewer;
     double focal; /* pixels, for the picture's size */
     double near_plane, far_plane;
     double background[3];
+    struct decode_fog fog;
     unsigned light_count;
     struct decode_light lights[SCENE_MAX_LIGHTS];
 };

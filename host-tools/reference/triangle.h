@@ -15,8 +15,8 @@ struct triangle_target {
     double *depth; /* closeness: 1 / distance in perspective, else - distance; -infinity where nothing is */
 };
 
-/* `bend` as decode_bend() gives it for the three edges. */
+/* `bend` as decode_bend() gives it for the three edges. Both may be turned round, where the back of it is seen. */
 void triangle_draw(struct triangle_target *target, const struct decode_material *material,
-                   const struct decode_vertex corner[3], const double bend[3]);
+                   struct decode_vertex corner[3], double bend[3]);
 
 #endif
