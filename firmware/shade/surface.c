@@ -50,6 +50,7 @@ FX_COLD void surface_setup(struct surface *surface, const struct scene_header *s
     static const uint8_t limit[SCENE_MAX_LIGHTS + 1] = {128, 128, 64, 42, 32, 25, 21, 18, 16}; /* 128 / lights */
     uint32_t rgb[3];
     surface->power = scene_powers(scene) + material->power;
+    surface->plan.power = 0;
     surface->channels = palette->channels;
     surface->lights = (uint8_t)scene->light_count;
     surface->highlights = 0;
@@ -66,6 +67,39 @@ FX_COLD void surface_setup(struct surface *surface, const struct scene_header *s
         surface->light[i].specular_most =
             reflected(palette, material->specular, material->ks, light[i].colour, surface->light[i].specular);
         surface->highlights |= surface->light[i].specular_most != 0;
+    }
+}
+
+/* Steps of a channel's output (Q8) in 1/255 of full intensity, rounded up; at most 255 and a little. */
+static uint32_t in_255(uint32_t steps, unsigned top)
+{
+    return (steps * 255 + top - 1) / top; /* below 2^24 */
+}
+
+FX_COLD void surface_plan(struct surface *surface, const struct palette *palette, uint16_t budget)
+{
+    struct plan_surface *plan = &surface->plan;
+    uint32_t base = 0;
+    plan->power = surface->power;
+    plan->budget = budget;
+    plan->lights = surface->lights;
+    plan->highlights = surface->highlights;
+    plan->foot = (int16_t)((1 << 14) - ((1 << 14) >> surface->power->octave));
+    for (unsigned c = 0; c < surface->channels; c++) {
+        const uint32_t ambient = in_255(surface->base[c] >> 7, palette->top[c]);
+        base = ambient > base ? ambient : base;
+    }
+    plan->full = (uint16_t)(base < 255u << 8 ? (255u << 8) - base : 0);
+    for (unsigned i = 0; i < surface->lights; i++) {
+        uint32_t diffuse = 0, specular = 0;
+        for (unsigned c = 0; c < surface->channels; c++) {
+            const uint32_t d = in_255(surface->light[i].diffuse[c], palette->top[c]),
+                           h = in_255(surface->light[i].specular[c], palette->top[c]);
+            diffuse = d > diffuse ? d : diffuse;
+            specular = h > specular ? h : specular;
+        }
+        plan->light[i].diffuse = (uint16_t)diffuse;
+        plan->light[i].specular = (uint16_t)specular;
     }
 }
 

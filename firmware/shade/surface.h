@@ -6,7 +6,7 @@
 #ifndef GLINT_SURFACE_H
 #define GLINT_SURFACE_H
 
-#include "geometry/object.h"
+#include "plan/plan.h"
 #include "shade/power.h"
 
 /* The output's channels: 1 (grey) or 3, and the largest value of each. */
@@ -19,10 +19,11 @@ struct surface {
     const struct fx_power *power;
     const struct glint_power *form; /* of the power; null: the table */
     uint8_t channels, lights;
-    uint8_t bend_limit; /* a bend that moves a channel by less is left out: half a step over all lights, Q8 */
-    uint8_t highlights; /* some channel of `specular` is not 0 */
-    uint32_t base[3];   /* ambient part, Q15 steps, at most 255 * 2^15 */
-    uint32_t top[3];    /* full intensity, Q15 steps */
+    uint8_t bend_limit;       /* a bend that moves a channel by less is left out: half a step over all lights, Q8 */
+    uint8_t highlights;       /* some channel of `specular` is not 0 */
+    struct plan_surface plan; /* glint_auto's; its power is null until surface_plan() has filled it */
+    uint32_t base[3];         /* ambient part, Q15 steps, at most 255 * 2^15 */
+    uint32_t top[3];          /* full intensity, Q15 steps */
     struct {
         uint16_t diffuse[3], specular[3];     /* at N.L = 1, (N.H)^n = 1: Q8 steps, at most 255 * 2^8 */
         uint16_t diffuse_most, specular_most; /* the largest of each */
@@ -49,6 +50,9 @@ static inline const struct glint_power *surface_form(const struct surface *s)
 
 void surface_setup(struct surface *surface, const struct scene_header *scene, const struct scene_material *material,
                    const struct palette *palette);
+
+/* Fills surface->plan of a surface that is set up, for a budget in Q8 of 1/255. */
+void surface_plan(struct surface *surface, const struct palette *palette, uint16_t budget);
 
 /* A colour of the scene in Q15 steps; `out` has 3 entries, of a grey palette the others 0. */
 void surface_colour(const struct palette *palette, const uint16_t rgb_q15[3], uint32_t *out);
