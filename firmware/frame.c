@@ -122,13 +122,14 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     struct raster *r = f->raster;
     struct shade_input *in = &r->input;
     const struct object_state *object = &f->objects[ref->object];
-    const struct clipped_triangle *piece = ref->clipped ? &f->clipped[ref->index] : 0;
+    const struct clipped_triangle *piece = ref->kind & LIST_CLIPPED ? &f->clipped[ref->index] : 0;
     const struct scene_triangle *triangle = scene_at(f->scene, object->mesh->triangles);
     triangle += piece ? piece->source : ref->index;
     in->object = object;
     in->triangle = triangle;
     in->vertices = scene_at(f->scene, object->mesh->vertices);
     in->weight = 0;
+    in->turned = 0;
     /* Once a triangle and worth unrolling. */
     const uint32_t stride = f->vertex_stride;
     int16_t *records = list_record(f, object->first_vertex), *corner = records + triangle->corner[0] * stride;
@@ -140,10 +141,12 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     corner = records + triangle->corner[1] * stride;
     in->place[2] = corner;
     in->lights[2] = corner + VERTEX_LIGHTS;
-    if (piece)
-        gather_piece(r, piece);
     if (r->surface_material != triangle->material)
         take_material(r, f->scene, triangle->material);
+    if (USES(USES_TWO_SIDED) && ref->kind & LIST_TURNED)
+        shade_turn(&r->turned, in, f->config.method->vertex_words);
+    if (piece)
+        gather_piece(r, piece);
 }
 
 static uint32_t bits(unsigned set)

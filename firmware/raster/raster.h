@@ -67,6 +67,7 @@ struct raster {
         } begin;
     };
     uint16_t weight[3][3];
+    struct shade_turned turned;
     uint16_t colours[3][COLOUR_WORDS];
     _Alignas(uint32_t) struct span span[SPANS]; /* read as a word each */
     /* the run in hand */
