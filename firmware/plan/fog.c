@@ -135,6 +135,8 @@ FX_COLD void fog_begin(struct fog *fog, const struct scene_header *scene)
     const struct scene_fog *from = &scene->fog;
     const uint32_t far = (uint32_t)scene->camera.far_plane;
     *fog = (struct fog){.kind = (uint8_t)from->kind, .divides = scene->camera.kind == CAMERA_PERSPECTIVE};
+    if (fog->kind == FOG_LINEAR && (uint32_t)from->from >= far)
+        fog->kind = FOG_NONE;
     if (fog->kind == FOG_NONE)
         return;
     const uint32_t thinnest = (fog->divides ? (uint32_t)from->from : far) >> THINNEST;
@@ -154,8 +156,6 @@ FX_COLD void fog_begin(struct fog *fog, const struct scene_header *scene)
     fog->clear = first_depth(fog, 0);
     fog->solid = first_depth(fog, (ONE >> 2) - 1);
     fog->solid = (uint16_t)(fog->solid ? fog->solid - 1 : 0);
-    if (fog->clear <= DEPTH_FAR)
-        fog->kind = FOG_NONE;
 }
 
 /* How far the interpolation of u between the extremes can be above it, Q16. They differ by less than 1. */

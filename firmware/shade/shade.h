@@ -133,7 +133,8 @@ struct shade_setup {
             struct part_split split[PART_DEPTH + 1]; /* a stack, the part in hand on top */
         } parts;
     };
-    uint32_t flat[3]; /* flat: the finished colour, Q15 steps */
+    uint32_t flat[3];   /* flat: the finished colour, Q15 steps */
+    struct channel fog; /* its part where that is linear, Q14 */
 };
 
 /* The lights whose highlight shows. */
