@@ -52,6 +52,7 @@ static void begin_raster(struct raster *r, const struct glint_frame *f)
         r->input.sampled |= scene_lights(scene)[i].kind == LIGHT_POINT;
     r->input.divides = scene->camera.kind == CAMERA_PERSPECTIVE;
     r->input.no_plan = (f->config.flags & GLINT_NO_PLAN) != 0;
+    r->input.every_zigzag = (f->config.flags & GLINT_EVERY_ZIGZAG) != 0;
 }
 
 void glint_turn(struct glint_frame *f, uint16_t yaw, uint16_t pitch)

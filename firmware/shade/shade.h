@@ -47,6 +47,7 @@ struct shade_input {
     struct shade_plan plan;      /* glint_auto: what this triangle takes */
     uint8_t divides;             /* the view is a perspective one */
     uint8_t no_plan;             /* keep effects that cannot show */
+    uint8_t every_zigzag;        /* GLINT_EVERY_ZIGZAG */
     uint8_t tabled;              /* a colour table holds the material's power, of N.H itself */
     uint8_t sampled; /* mid-edges may need a look of their own: something is near, or the power has another form */
 };

@@ -131,14 +131,17 @@ static void triangle_turn(struct triangle_corner p[3], struct decode_vertex shad
 static void triangle_render(struct triangle_target *target, const struct decode_material *material,
                             struct triangle_corner p[3], struct decode_vertex shaded[3], double bend[3])
 {
-    struct shading shading = {
-        .tolerance = target->tolerance, .part_area = target->part_area, .highlight = target->highlight};
+    struct shading shading = {.tolerance = target->tolerance,
+                              .part_area = target->part_area,
+                              .highlight = target->highlight,
+                              .edges = target->edges};
     double place[3][2];
     for (int i = 0; i < 3; i++)
         triangle_project(target->view, p + i);
     double area = triangle_side(&p[0], &p[1], p[2].x, p[2].y);
     if (area < 0 && material->two_sided) {
         triangle_turn(p, shaded, bend);
+        shading.edges = (shading.edges & 2u) | (shading.edges & 1u) << 2 | (shading.edges >> 2 & 1u);
         area = -area;
     }
     if (area <= 0)

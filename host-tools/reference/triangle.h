@@ -12,6 +12,7 @@ struct triangle_target {
     const struct method *method;
     double tolerance, part_area; /* as in struct shading */
     bool highlight;              /* can reach the next triangle */
+    unsigned edges;              /* of the next triangle, that may be quadratic, a bit each */
     double *depth; /* closeness: 1 / distance in perspective, else - distance; -infinity where nothing is */
 };
 
