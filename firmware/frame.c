@@ -2,6 +2,7 @@
 /* A frame from begin to its last band. */
 #include "list.h"
 
+#include "raster/effects.h"
 #include "raster/raster.h"
 
 /* turn: the user's, or null. */
@@ -46,6 +47,8 @@ static void begin_raster(struct raster *r, const struct glint_frame *f)
     r->surface.form = f->config.power;
     r->budget = f->config.budget ? f->config.budget : PLAN_BUDGET;
     r->input.surface = &r->surface;
+    r->gloss = r->sum[0];
+    r->input.texture = f->config.texture ? f->config.texture : GLINT_TEXTURE_PERSPECTIVE;
     r->input.colours = 0;
     r->input.sampled = f->config.power || scene->camera.viewer != VIEWER_INFINITE;
     for (unsigned i = 0; i < scene->light_count; i++)
@@ -113,6 +116,7 @@ static void take_material(struct raster *r, const struct scene_header *scene, un
 {
     r->surface_material = (uint16_t)material;
     surface_setup(&r->surface, scene, scene_materials(scene) + material, &r->palette);
+    effects_surface(r);
     raster_find_table(r);
     r->input.tabled = r->surface_table != 0;
 }
@@ -129,6 +133,8 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     in->object = object;
     in->triangle = triangle;
     in->vertices = scene_at(f->scene, object->mesh->vertices);
+    if (USES(USES_TEXTURE | USES_BUMP))
+        in->uvs = scene_at(f->scene, object->mesh->uvs);
     in->weight = 0;
     in->turned = 0;
     /* Once a triangle and worth unrolling. */
@@ -189,7 +195,7 @@ static void draw_triangle(struct glint_frame *f, const struct triangle_ref *ref)
     plane_linear(&setup->plane, depth, &setup->depth);
     setup->found[0] = setup->found[1] = 0;
     method->setup(setup, in);
-    f->stats.pixels[method->id] += method->draw(r, &edges);
+    f->stats.pixels[method->id] += raster_effects(r) ? effects_triangle(r, &edges, method) : method->draw(r, &edges);
     if (ref->first < r->y0)
         return; /* counted with the band above */
     f->stats.drawn[method->id]++;

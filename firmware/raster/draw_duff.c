@@ -43,4 +43,5 @@ static uint32_t draw(struct raster *r, struct edges *e)
     return runs_draw(r, e, shade_run);
 }
 
-const struct glint_method glint_duff = {GLINT_DUFF, 0, 0, shade_duff, draw, 0, 0};
+const struct glint_method glint_duff = {
+    .id = GLINT_DUFF, .setup = shade_duff, .draw = draw, .run = shade_run, .colours = COLOURS_OF_DOTS};

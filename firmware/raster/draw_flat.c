@@ -53,4 +53,4 @@ static uint32_t draw(struct raster *r, struct edges *e)
     return spans(r, e);
 }
 
-const struct glint_method glint_flat = {GLINT_FLAT, 0, 0, shade_flat, draw, 0, 0};
+const struct glint_method glint_flat = {.id = GLINT_FLAT, .setup = shade_flat, .draw = draw, .run = shade_run};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "raster/runs.h"
+#include "raster/effects.h"
 #include "shade/colour.h"
 
 /* Channels are Q24 steps between 0 and 255, so unsigned 32 bits; a rounding below 0 is taken for 0. */
@@ -61,9 +61,10 @@ FX_WRAPS static __attribute__((noinline)) uint32_t spans(struct raster *r, struc
 
 uint32_t draw_gouraud(struct raster *r, struct edges *e)
 {
-    if (r->setup.plane.sliver || !raster_is(r, GLINT_RGB565) || raster_dithers(r))
-        return runs_draw(r, e, shade_run);
+    if (r->setup.plane.sliver || raster_effects(r) || !raster_is(r, GLINT_RGB565) || raster_dithers(r))
+        return effects_runs(r, e, shade_run);
     return spans(r, e);
 }
 
-const struct glint_method glint_gouraud = {GLINT_GOURAUD, 0, COLOUR_WORDS, shade_gouraud, draw_gouraud, 0, 0};
+const struct glint_method glint_gouraud = {
+    .id = GLINT_GOURAUD, .vertex_words = COLOUR_WORDS, .setup = shade_gouraud, .draw = draw_gouraud, .run = shade_run};

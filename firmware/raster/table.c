@@ -51,7 +51,7 @@ void raster_find_table(struct raster *r)
     struct colour_table *table = r->table + r->surface_material;
     r->surface_table = 0;
     if (r->surface_material >= r->tables || !raster_is(r, GLINT_RGB565) || raster_dithers(r) ||
-        surface_lights(&r->surface) != 1)
+        surface_lights(&r->surface) != 1 || raster_effects(r))
         return;
     if (!made_for(table, &r->surface))
         make(r, table);

@@ -40,11 +40,13 @@ struct shade_input {
     const struct scene_vertex *vertices;   /* of its mesh */
     const struct shade_turned *turned;     /* null: seen from the front. Else source, vertices and lights are its own */
     const uint16_t (*weight)[3];           /* null: the corners are the source's */
+    const int16_t (*uvs)[2];               /* of its mesh, Q12; null: none */
     const struct object_state *object;
     const struct surface *surface;
     uint16_t (
         *colours)[COLOUR_WORDS]; /* for finished colours; null: they are kept with the vertices, one CPU's alone */
     struct shade_plan plan;      /* glint_auto: what this triangle takes */
+    uint8_t texture;             /* enum glint_texture: how the triangle's coordinates are to be interpolated */
     uint8_t divides;             /* the view is a perspective one */
     uint8_t no_plan;             /* keep effects that cannot show */
     uint8_t every_zigzag;        /* GLINT_EVERY_ZIGZAG */
@@ -119,10 +121,13 @@ struct shade_setup {
             uint8_t folded;    /* N.H is that of a form of the power folded with this `down`; 0: the dot product */
             uint8_t wide;      /* x: N.H times 2^octave of the power, from its foot, leaves [-2, 2) */
             uint8_t runs_only; /* x: a channel that no polynomial holds, or N.H beyond what a table's loop can index */
+            uint8_t uv_kind;   /* enum glint_texture of `uv` */
         };
     };
     struct plane plane;
     struct channel depth;
+    struct channel uv[USES(USES_TEXTURE | USES_BUMP) ? 2 : 1]; /* texture coordinates: shade/uv.h */
+    uint8_t uv_up;                                             /* of perspective ones: how far closeness is moved up */
     union {
         struct channel channel[SHADE_MAX_CHANNELS];
         struct {
