@@ -55,6 +55,7 @@ static void begin_raster(struct raster *r, const struct glint_frame *f)
         r->input.sampled |= scene_lights(scene)[i].kind == LIGHT_POINT;
     r->input.divides = scene->camera.kind == CAMERA_PERSPECTIVE;
     r->input.no_plan = (f->config.flags & GLINT_NO_PLAN) != 0;
+    r->input.every_zigzag = (f->config.flags & GLINT_EVERY_ZIGZAG) != 0;
 }
 
 void glint_turn(struct glint_frame *f, uint16_t yaw, uint16_t pitch)
@@ -126,7 +127,7 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     struct raster *r = f->raster;
     struct shade_input *in = &r->input;
     const struct object_state *object = &f->objects[ref->object];
-    const struct clipped_triangle *piece = ref->clipped ? &f->clipped[ref->index] : 0;
+    const struct clipped_triangle *piece = ref->kind & LIST_CLIPPED ? &f->clipped[ref->index] : 0;
     const struct scene_triangle *triangle = scene_at(f->scene, object->mesh->triangles);
     triangle += piece ? piece->source : ref->index;
     in->object = object;
@@ -135,6 +136,7 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     if (USES(USES_TEXTURE | USES_BUMP))
         in->uvs = scene_at(f->scene, object->mesh->uvs);
     in->weight = 0;
+    in->turned = 0;
     /* Once a triangle and worth unrolling. */
     const uint32_t stride = f->vertex_stride;
     int16_t *records = list_record(f, object->first_vertex), *corner = records + triangle->corner[0] * stride;
@@ -146,10 +148,12 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     corner = records + triangle->corner[1] * stride;
     in->place[2] = corner;
     in->lights[2] = corner + VERTEX_LIGHTS;
-    if (piece)
-        gather_piece(r, piece);
     if (r->surface_material != triangle->material)
         take_material(r, f->scene, triangle->material);
+    if (USES(USES_TWO_SIDED) && ref->kind & LIST_TURNED)
+        shade_turn(&r->turned, in, f->config.method->vertex_words);
+    if (piece)
+        gather_piece(r, piece);
 }
 
 static uint32_t bits(unsigned set)

@@ -117,6 +117,9 @@ enum glint_texture {
 /* flags */
 #define GLINT_DITHER  1u /* ordered 4x4 dither for RGB565 and GREY4 */
 #define GLINT_NO_PLAN 2u /* compute every effect, even those that cannot show; the picture is the same */
+/* biquadratic: on every edge that passes the paper's test, not only where the triangles at it confirm an inflection.
+ * That is for comparison: on a teapot it darkens spots of spout and handle. */
+#define GLINT_EVERY_ZIGZAG 4u
 
 struct glint_config {
     uint16_t width, height; /* of the picture, 1..2048 */

@@ -9,6 +9,7 @@
 
 #include "geometry/clip.h"
 #include "glint.h"
+#include "plan/fog.h"
 #include "raster/edges.h"
 #include "shade/perspective.h"
 
@@ -50,6 +51,8 @@ struct raster {
     uint8_t *pixels;
     uint16_t *depth; /* of the band, width a row */
     struct palette palette;
+    struct fog fog;
+    uint16_t fog_colour[3]; /* Q8 steps */
     struct surface surface;
     uint16_t budget;                          /* of auto, Q8 of 1/255 */
     uint16_t surface_material;                /* which one `surface` holds; 0xffff: none */
@@ -57,6 +60,7 @@ struct raster {
     struct colour_table *table;               /* one for each of the first r->tables materials */
     /* the triangle in hand */
     struct shade_input input;
+    struct fog_plan fog_plan;
     union {
         struct shade_setup setup;
         struct { /* while the frame begins: all triangles are listed before the first is set up */
@@ -68,6 +72,7 @@ struct raster {
     };
     uint32_t effects; /* of what is done at each pixel besides lighting: USES_TEXTURE, USES_FOG */
     uint16_t weight[3][3];
+    struct shade_turned turned;
     uint16_t colours[3][COLOUR_WORDS];
     _Alignas(uint32_t) struct span span[SPANS]; /* read as a word each */
     /* the run in hand */

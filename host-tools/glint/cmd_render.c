@@ -48,6 +48,9 @@ static const char render_help[] =
     "      --band-rows N      rows drawn at a time, 1..2048; the default is all. The picture is the same\n"
     "      --tables N         colour tables of 16 KiB for rgb565, 0..255, default 0\n"
     "      --no-plan          compute also what cannot be seen. The picture is the same\n"
+    "      --every-zigzag     biquadratic: bends every edge that passes the paper's test, also where the triangles at "
+    "it\n"
+    "                         have no inflection\n"
     "      --shininess N      1..1023, replaces every material's exponent\n"
     "      --stats[=json]     print counts of triangles and pixels, memory and time\n"
     "      --hash             print '<index> <hash>' for each frame: CRC-32 of its bytes in the chosen format\n"
@@ -91,6 +94,7 @@ enum render_option {
     RENDER_BAND_ROWS,
     RENDER_TABLES,
     RENDER_NO_PLAN,
+    RENDER_EVERY_ZIGZAG,
     RENDER_SHININESS,
     RENDER_STATS,
     RENDER_HASH,
@@ -121,6 +125,7 @@ static const struct option render_options[] = {{"output", required_argument, NUL
                                                {"band-rows", required_argument, NULL, RENDER_BAND_ROWS},
                                                {"tables", required_argument, NULL, RENDER_TABLES},
                                                {"no-plan", no_argument, NULL, RENDER_NO_PLAN},
+                                               {"every-zigzag", no_argument, NULL, RENDER_EVERY_ZIGZAG},
                                                {"shininess", required_argument, NULL, RENDER_SHININESS},
                                                {"stats", optional_argument, NULL, RENDER_STATS},
                                                {"hash", no_argument, NULL, RENDER_HASH},
@@ -224,6 +229,9 @@ static void render_flag(struct render *render, int option)
     case RENDER_NO_PLAN:
         render->renderer.config.flags |= GLINT_NO_PLAN;
         break;
+    case RENDER_EVERY_ZIGZAG:
+        render->renderer.config.flags |= GLINT_EVERY_ZIGZAG;
+        break;
     case RENDER_HASH:
         render->hash = true;
         break;
@@ -267,6 +275,7 @@ static int render_parse(struct render *render, int argc, char **argv)
         case RENDER_PERSPECTIVE:
         case RENDER_DITHER:
         case RENDER_NO_PLAN:
+        case RENDER_EVERY_ZIGZAG:
         case RENDER_HASH:
         case RENDER_PROGRESS:
             render_flag(render, option);

@@ -130,6 +130,15 @@ static void decode_light(const struct scene_header *scene, const struct scene_li
     }
 }
 
+static void decode_fog(const struct scene_fog *packed, struct decode_fog *fog)
+{
+    fog->kind = packed->kind;
+    decode_colour(packed->colour, fog->colour);
+    fog->from = decode_q(packed->from, 16);
+    fog->to = decode_q(packed->to, 16);
+    fog->density = ldexp(packed->density, -24);
+}
+
 void decode_view(const struct scene_header *scene, uint32_t time_ms, unsigned width, unsigned height,
                  struct decode_view *view)
 {
@@ -144,6 +153,7 @@ void decode_view(const struct scene_header *scene, uint32_t time_ms, unsigned wi
     view->near_plane = decode_q(camera->near_plane, 16);
     view->far_plane = decode_q(camera->far_plane, 16);
     decode_colour(scene->background, view->background);
+    decode_fog(&scene->fog, &view->fog);
     view->light_count = scene->light_count;
     for (unsigned i = 0; i < view->light_count; i++)
         decode_light(scene, scene_lights(scene) + i, time_ms, &eye, view->lights + i);
@@ -199,6 +209,7 @@ void decode_material(const struct scene_header *scene, unsigned index, struct de
         sum += material->grey[c] *= share[c];
     for (unsigned c = 0; c < 3; c++)
         material->grey[c] = sum > 0 ? material->grey[c] / sum : share[c];
+    material->two_sided = (packed->flags & MATERIAL_TWO_SIDED) != 0;
 }
 
 double decode_bend(const struct scene_triangle *triangle, unsigned e)

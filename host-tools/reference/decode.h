@@ -27,6 +27,7 @@ struct decode_material {
     double shininess;
     const struct scene_texture *texture; /* null: none */
     double grey[3]; /* what a texel's channels count where one is shaded: luma of the diffuse colour, of sum 1 */
+    bool two_sided;
 };
 
 struct decode_light {
@@ -35,11 +36,17 @@ struct decode_light {
     double colour[3];
 };
 
+struct decode_fog {
+    int kind; /* enum scene_fog_kind */
+    double colour[3], from, to, density;
+};
+
 struct decode_view {
     bool perspective, local_viewer;
     double focal; /* pixels, for the picture's size */
     double near_plane, far_plane;
     double background[3];
+    struct decode_fog fog;
     unsigned light_count;
     struct decode_light lights[SCENE_MAX_LIGHTS];
 };

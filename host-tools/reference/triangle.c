@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "reference/triangle.h"
 
+#include "reference/fog.h"
 #include "scene/vec.h"
 
 #include <math.h>
+#include <string.h>
 
 /* A corner of what is drawn: of a whole triangle, or of a part that the near plane left of it. */
 struct triangle_corner {
@@ -65,6 +67,7 @@ static void triangle_pixel(struct triangle_target *target, const struct shading 
     if (shading->method->perspective)
         triangle_unproject(p, screen, view->perspective ? closeness : 0, space);
     shading->method->pixel(shading, shading->method->perspective ? space : screen, colour);
+    fog_apply(&view->fog, view->perspective ? 1 / closeness : -closeness, image->channels, colour);
     target->depth[index] = closeness;
     image->coverage += !image->covered[index];
     image->covered[index] = 1;
@@ -103,16 +106,44 @@ static void triangle_fill(struct triangle_target *target, const struct shading *
     }
 }
 
-/* What is drawn, `p`, and shaded, `shaded`. */
-static void triangle_render(struct triangle_target *target, const struct decode_material *material,
-                            struct triangle_corner p[3], const struct decode_vertex shaded[3], const double bend[3])
+/* From behind: the same surface as if it had been built to face that way. */
+static void triangle_turn(struct triangle_corner p[3], struct decode_vertex shaded[3], double bend[3])
 {
-    struct shading shading = {
-        .tolerance = target->tolerance, .part_area = target->part_area, .highlight = target->highlight};
+    const struct triangle_corner corner = p[1];
+    const struct decode_vertex vertex = shaded[1];
+    const double between = bend[0];
+    p[1] = p[2];
+    p[2] = corner;
+    shaded[1] = shaded[2];
+    shaded[2] = vertex;
+    bend[0] = bend[2];
+    bend[2] = between;
+    for (int i = 0; i < 3; i++) {
+        const double at = p[i].place[1];
+        p[i].place[1] = p[i].place[2];
+        p[i].place[2] = at;
+        for (int k = 0; k < 3; k++)
+            shaded[i].normal[k] = -shaded[i].normal[k];
+    }
+}
+
+/* What is drawn, `p`, and shaded, `shaded`: both may be turned. */
+static void triangle_render(struct triangle_target *target, const struct decode_material *material,
+                            struct triangle_corner p[3], struct decode_vertex shaded[3], double bend[3])
+{
+    struct shading shading = {.tolerance = target->tolerance,
+                              .part_area = target->part_area,
+                              .highlight = target->highlight,
+                              .edges = target->edges};
     double place[3][2];
     for (int i = 0; i < 3; i++)
         triangle_project(target->view, p + i);
     double area = triangle_side(&p[0], &p[1], p[2].x, p[2].y);
+    if (area < 0 && material->two_sided) {
+        triangle_turn(p, shaded, bend);
+        shading.edges = (shading.edges & 2u) | (shading.edges & 1u) << 2 | (shading.edges >> 2 & 1u);
+        area = -area;
+    }
     if (area <= 0)
         return;
     for (int i = 0; i < 3; i++) {
@@ -146,8 +177,10 @@ static void triangle_part(struct triangle_target *target, const struct decode_ma
 {
     struct decode_vertex corner[3];
     double bent[3];
-    if (target->method->perspective) {
-        triangle_render(target, material, p, whole, bend);
+    if (target->method->perspective) { /* each part turns its own copy */
+        memcpy(corner, whole, sizeof corner);
+        memcpy(bent, bend, sizeof bent);
+        triangle_render(target, material, p, corner, bent);
         return;
     }
     for (int i = 0; i < 3; i++) {
@@ -162,7 +195,7 @@ static void triangle_part(struct triangle_target *target, const struct decode_ma
 }
 
 void triangle_draw(struct triangle_target *target, const struct decode_material *material,
-                   const struct decode_vertex corner[3], const double bend[3])
+                   struct decode_vertex corner[3], double bend[3])
 {
     double near = target->view->near_plane;
     struct triangle_corner p[3] = {{.place = {1, 0, 0}}, {.place = {0, 1, 0}}, {.place = {0, 0, 1}}}, kept[4];
