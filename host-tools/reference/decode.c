@@ -201,7 +201,8 @@ void decode_material(const struct scene_header *scene, unsigned index, struct de
         material->specular[c] *= decode_q(packed->ks, 15);
     }
     material->shininess = packed->shininess;
-    material->texture = packed->texture == SCENE_NO_TEXTURE ? NULL : scene_textures(scene) + packed->texture;
+    material->texture.scene = scene;
+    material->texture.head = packed->texture == SCENE_NO_TEXTURE ? NULL : scene_textures(scene) + packed->texture;
     decode_colour(packed->diffuse, material->grey);
     const double share[3] = {.299, .587, .114};
     double sum = 0;

@@ -20,12 +20,17 @@ struct decode_vertex {
     double uv[2];
 };
 
+struct decode_texture {
+    const struct scene_header *scene;
+    const struct scene_texture *head; /* null: none */
+};
+
 struct decode_material {
     double ambient[3];  /* diffuse * ka * the scene's ambient */
     double diffuse[3];  /* diffuse * kd */
     double specular[3]; /* specular * ks */
     double shininess;
-    const struct scene_texture *texture; /* null: none */
+    struct decode_texture texture;
     double grey[3]; /* what a texel's channels count where one is shaded: luma of the diffuse colour, of sum 1 */
     bool two_sided;
 };
