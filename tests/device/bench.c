@@ -6,7 +6,7 @@
  *                                        tables; the last number is the picture's, the same on every CPU
  *   bench power                          the first scene by x, likewise, with each form and some exponents of the
  *                                        highlight's power
- *   bench SCENE METHOD BANDS TABLES N [grey8]
+ *   bench SCENE METHOD BANDS TABLES N [grey8|rgb888]
  *                                        one of them, N frames, nothing printed: for profilers, which look at the calls
  *                                        of bench_frame()
  * An argument budget=N sets auto's, in 1/255.
@@ -241,12 +241,16 @@ static void bench_find_budget(int argc, char **argv)
     }
 }
 
+static enum glint_format bench_format(const char *name)
+{
+    return !name ? GLINT_RGB565 : text_equal(name, "grey8") ? GLINT_GREY8 : GLINT_RGB888;
+}
+
 static int bench_run(const struct program_scene *scene, const struct glint_choice *method, int argc, char **argv)
 {
     struct glint_config config;
     struct glint_frame frame;
-    const enum glint_format format = argc > 6 && text_equal(argv[6], "grey8") ? GLINT_GREY8 : GLINT_RGB565;
-    if (bench_init(&frame, &config, scene->blob, method, 0, format, text_number(argv[3]),
+    if (bench_init(&frame, &config, scene->blob, method, 0, bench_format(argc > 6 ? argv[6] : 0), text_number(argv[3]),
                    (uint8_t)text_number(argv[4])) != 0)
         return 1;
     for (uint32_t i = text_number(argv[5]); i; i--)
@@ -260,7 +264,7 @@ int program_main(int argc, char **argv)
     int bad = 0;
     bench_find_budget(argc, argv);
     if (argc >= 2 && (text_equal(argv[1], "grey8") || text_equal(argv[1], "rgb888"))) {
-        const enum glint_format format = text_equal(argv[1], "grey8") ? GLINT_GREY8 : GLINT_RGB888;
+        const enum glint_format format = bench_format(argv[1]);
         for (unsigned s = 0; s < program_scene_count; s++)
             for (unsigned m = 0; m < glint_choice_count; m++)
                 if (bench_asked(glint_choices[m].name, argc, argv))
