@@ -199,7 +199,7 @@ static void draw_triangle(struct glint_frame *f, const struct triangle_ref *ref)
     setup->found[0] = setup->found[1] = 0;
     method->setup(setup, in);
     if (USES(USES_FOG) && raster_effects(r) & USES_FOG)
-        fogged_setup(r);
+        fogged_setup(r, method);
     f->stats.pixels[method->id] += raster_effects(r) ? effects_triangle(r, &edges, method) : method->draw(r, &edges);
     if (ref->first < r->y0)
         return; /* counted with the band above */

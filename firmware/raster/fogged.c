@@ -44,10 +44,14 @@ unsigned fogged_choose(struct raster *r)
     return plan->kind;
 }
 
-void fogged_setup(struct raster *r)
+void fogged_setup(struct raster *r, const struct glint_method *method)
 {
-    if (r->fog_plan.kind == FOGGED_LINEARLY)
-        plane_linear(&r->setup.plane, r->fog_plan.part, &r->setup.fog);
+    const struct fog_plan *plan = &r->fog_plan;
+    if (plan->kind == FOGGED_LINEARLY)
+        plane_linear(&r->setup.plane, plan->part, &r->setup.fog);
+    /* Parts of a triangle have loops of their own too. */
+    if (!method->run && plan->kind == FOGGED_EVENLY && plan->part[0] == 0)
+        r->effects = r->surface_effects;
 }
 
 /* The fog's part at each pixel into r->value[0], Q14. Interpolated it may pass its ends by a rounding. */

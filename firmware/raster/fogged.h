@@ -16,7 +16,7 @@ void fogged_begin(struct raster *r, const struct scene_header *scene, int plans)
 unsigned fogged_choose(struct raster *r);
 
 /* Sets up what fogged_run() reads, of a triangle whose plane and depth are set up. */
-void fogged_setup(struct raster *r);
+void fogged_setup(struct raster *r, const struct glint_method *method);
 
 /* Mixes r->sum of n pixels from (x, y) with the fog; clamps it first. */
 void fogged_run(struct raster *r, int x, int y, int n);
