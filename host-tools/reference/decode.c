@@ -164,6 +164,7 @@ void decode_vertices(const struct scene_header *scene, const struct scene_object
 {
     const struct scene_mesh *mesh = scene_meshes(scene) + object->mesh;
     const struct scene_vertex *packed = scene_at(scene, mesh->vertices);
+    const int16_t(*uvs)[2] = mesh->uvs ? scene_at(scene, mesh->uvs) : NULL;
     struct decode_pose pose, eye;
     double centre[3], extent = decode_q(mesh->extent, 16);
     decode_rotation(object->rotation, pose.rotation);
@@ -178,6 +179,8 @@ void decode_vertices(const struct scene_header *scene, const struct scene_object
             position[i] = centre[i] + extent * decode_q(packed[v].position[i], 15);
             normal[i] = decode_q(packed[v].normal[i], 14);
         }
+        for (int k = 0; k < 2; k++)
+            vertices[v].uv[k] = uvs ? decode_q(uvs[v][k], 12) : 0;
         decode_apply(&pose, position, position);
         decode_apply(&eye, position, vertices[v].position);
         vec_quat_rotate(pose.rotation, normal, normal);
@@ -198,6 +201,15 @@ void decode_material(const struct scene_header *scene, unsigned index, struct de
         material->specular[c] *= decode_q(packed->ks, 15);
     }
     material->shininess = packed->shininess;
+    material->texture.scene = scene;
+    material->texture.head = packed->texture == SCENE_NO_TEXTURE ? NULL : scene_textures(scene) + packed->texture;
+    decode_colour(packed->diffuse, material->grey);
+    const double share[3] = {.299, .587, .114};
+    double sum = 0;
+    for (unsigned c = 0; c < 3; c++)
+        sum += material->grey[c] *= share[c];
+    for (unsigned c = 0; c < 3; c++)
+        material->grey[c] = sum > 0 ? material->grey[c] / sum : share[c];
     material->two_sided = (packed->flags & MATERIAL_TWO_SIDED) != 0;
 }
 
