@@ -3,20 +3,15 @@
 #include "raster/dots.h"
 #include "shade/colour.h"
 
-static uint32_t draw_constant(struct raster *r, struct edges *e)
-{
-    return glint_flat.draw(r, e);
-}
-
 static void constant_run(struct raster *r, int x, int y, int n)
 {
     glint_flat.run(r, x, y, n);
 }
 
 static const struct glint_method dark = {
-    .id = GLINT_DARK, .setup = shade_constant, .draw = draw_constant, .run = constant_run};
+    .id = GLINT_DARK, .setup = shade_constant, .draw = draw_flat, .run = constant_run};
 static const struct glint_method constant = {
-    .id = GLINT_CONSTANT, .setup = shade_constant, .draw = draw_constant, .run = constant_run};
+    .id = GLINT_CONSTANT, .setup = shade_constant, .draw = draw_flat, .run = constant_run};
 static const struct glint_method linear = {.id = GLINT_LINEAR,
                                            .uses_tables = 1,
                                            .setup = shade_planned,
@@ -38,15 +33,17 @@ static const struct glint_method *const rungs[PLAN_RUNGS] = {
 static const struct glint_method *choose_planned(struct raster *r)
 {
     struct shade_input *in = &r->input;
-    const struct plan_triangle triangle = {.lights = in->lights,
-                                           .bend = in->triangle->bend,
-                                           .place = in->place,
-                                           .divides = in->divides,
-                                           .local = in->object->local != 0,
-                                           .keep = in->no_plan};
     if (!r->surface.plan.power)
         surface_plan(&r->surface, &r->palette, r->budget);
-    plan_triangle(&in->plan, &r->surface.plan, &triangle);
+    if (object_local(in->object)) { /* corner values say nothing of what lies between: each place has its vectors */
+        in->plan = (struct shade_plan){.rung = PLAN_PHONG};
+    } else {
+        const struct plan_triangle triangle = {{in->lights[0], in->lights[1], in->lights[2]},
+                                               in->triangle->bend,
+                                               in->divides ? plan_shift(in->place) : 0,
+                                               in->no_plan};
+        plan_triangle(&in->plan, &r->surface.plan, &triangle);
+    }
     return in->plan.rung == PLAN_PHONG && !in->divides ? &glint_phong : rungs[in->plan.rung];
 }
 
@@ -54,5 +51,5 @@ const struct glint_method glint_auto = {.id = GLINT_FLAT,
                                         .uses_tables = 1,
                                         .vertex_words = COLOUR_WORDS,
                                         .setup = shade_constant,
-                                        .draw = draw_constant,
+                                        .draw = draw_flat,
                                         .choose = choose_planned};

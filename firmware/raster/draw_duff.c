@@ -2,6 +2,7 @@
 /* Duff's pixels: one reciprocal square root each, for all lights. */
 #include "raster/dots.h"
 #include "raster/runs.h"
+#include "raster/spans.h"
 
 static void divide_by_length(struct raster *r, int n)
 {
@@ -38,10 +39,16 @@ static void shade_run(struct raster *r, int x, int y, int n)
     dots_shade(r, x, y, n, object_local(r->input.object) ? divide_near : divide_by_length);
 }
 
-static uint32_t draw(struct raster *r, struct edges *e)
+uint32_t draw_duff(struct raster *r, struct edges *e)
 {
+    if (USES(USES_GREY8) && r->setup.length)
+        return spans_grey8_lengths(r, e);
     return runs_draw(r, e, shade_run);
 }
 
-const struct glint_method glint_duff = {
-    .id = GLINT_DUFF, .setup = shade_duff, .draw = draw, .run = shade_run, .colours = COLOURS_OF_DOTS};
+const struct glint_method glint_duff = {.id = GLINT_DUFF,
+                                        .uses_tables = 1,
+                                        .setup = shade_duff,
+                                        .draw = draw_duff,
+                                        .run = shade_run,
+                                        .colours = COLOURS_OF_DOTS};

@@ -26,10 +26,10 @@ struct clipped_triangle {
  * products negated. All methods take it for a triangle of a mesh of three vertices.
  */
 struct shade_turned {
-    const struct scene_triangle *source; /* the mesh's */
     struct scene_triangle triangle;
     struct scene_vertex vertex[3];
-    int16_t lights[3][2 * SCENE_MAX_LIGHTS + SHADE_VERTEX_WORDS];
+    int16_t uv[3][2];
+    int16_t lights[3][USES(USES_TWO_SIDED) ? 2 * SCENE_MAX_LIGHTS + SHADE_VERTEX_WORDS : 1];
 };
 
 /* A triangle to be shaded. Corners stand clockwise on the screen (y down), so that determinants are positive. */
@@ -38,7 +38,6 @@ struct shade_input {
     int16_t *lights[3];                    /* N.L and N.H, Q14, of the source triangle's corners, in the same turn */
     const struct scene_triangle *triangle; /* the source; its edges stand in `bend` as 2, 1, 0 */
     const struct scene_vertex *vertices;   /* of its mesh */
-    const struct shade_turned *turned;     /* null: seen from the front. Else source, vertices and lights are its own */
     const uint16_t (*weight)[3];           /* null: the corners are the source's */
     const int16_t (*uvs)[2];               /* of its mesh, Q12; null: none */
     const struct object_state *object;
@@ -56,12 +55,6 @@ struct shade_input {
 
 /* Which of the source's corners is the input's corner k. */
 #define SHADE_TURN(k) ((k) ? 3 - (k) : 0)
-
-/* Which vertex of the mesh corner k is, for what lies beside its vertices: texture coordinates, tangents. */
-static inline unsigned shade_vertex(const struct shade_input *in, int k)
-{
-    return USES(USES_TWO_SIDED) && in->turned ? in->turned->source->corner[k] : in->triangle->corner[SHADE_TURN(k)];
-}
 
 /* Turns the triangle of an input round, whose places and lights are those of corners 0, 2, 1 of the mesh's; `words` of
  * a vertex record are the method's. The colour that one keeps is not that of the back: the copy has none. */
@@ -110,9 +103,13 @@ struct part_split {
 };
 #define PART_DEPTH 5 /* times that a triangle is split at most */
 
+/* The largest bend, Q16, at which 1 - |N|^2 <= 4/3 bend stays below 1/4, less 1/500 for the channel's error: about 51
+ * degrees between two normals. */
+#define SHADE_LENGTH_BEND 12200
+
 struct shade_setup {
     union { /* what set-up finds out, all 0 before it */
-        uint32_t found[2];
+        uint32_t found[3];
         struct {
             uint8_t perspective;     /* channels are numerators: 1 + how far closeness is moved up; 0: as they are */
             uint8_t diffuse_lights;  /* x: bit i: light i reaches the triangle */
@@ -121,6 +118,9 @@ struct shade_setup {
             uint8_t folded;    /* N.H is that of a form of the power folded with this `down`; 0: the dot product */
             uint8_t wide;      /* x: N.H times 2^octave of the power, from its foot, leaves [-2, 2) */
             uint8_t runs_only; /* x: a channel that no polynomial holds, or N.H beyond what a table's loop can index */
+            uint8_t in_steps;  /* N.L counts in steps of the output (shade/steps.h); where it does, */
+            uint8_t plain;     /* it needs no clamp together with the ambient part */
+            uint8_t length;    /* duff: SHADE_SQUARE holds 1 - |N|^2, below 1/4; numerators are linear */
             uint8_t uv_kind;   /* enum glint_texture of `uv` */
         };
     };
