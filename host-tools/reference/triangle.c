@@ -60,12 +60,13 @@ static void triangle_pixel(struct triangle_target *target, const struct shading 
     for (int i = 0; i < 3; i++)
         closeness += screen[i] * p[i].closeness;
     double limit = view->perspective ? 1 / view->far_plane : -view->far_plane;
-    if (closeness < limit || closeness <= target->depth[index])
+    double nearness = target->drawn ? fmin(screen[0], fmin(screen[1], screen[2])) : closeness;
+    if ((closeness < limit && !target->drawn) || nearness <= target->depth[index])
         return;
     if (shading->method->perspective)
         triangle_unproject(p, screen, view->perspective ? closeness : 0, space);
     shading->method->pixel(shading, shading->method->perspective ? space : screen, colour);
-    target->depth[index] = closeness;
+    target->depth[index] = nearness;
     image->coverage += !image->covered[index];
     image->covered[index] = 1;
     for (unsigned c = 0; c < image->channels; c++)
@@ -90,15 +91,18 @@ static void triangle_fill(struct triangle_target *target, const struct shading *
     for (unsigned row = top; row < bottom; row++) {
         for (unsigned column = left; column < right; column++) {
             double x = 16. * column + 8 - 8. * width, y = 16. * row + 8 - 8. * height, screen[3];
-            bool inside = true;
-            for (int i = 0; i < 3 && inside; i++) {
+            const size_t index = (size_t)row * width + column;
+            bool inside = true, wanted = target->drawn && target->drawn[index] == target->triangle;
+            if (target->drawn && !wanted)
+                continue;
+            for (int i = 0; i < 3 && (inside || wanted); i++) {
                 const struct triangle_corner *a = p + (i + 1) % 3, *b = p + (i + 2) % 3;
                 double side = triangle_side(a, b, x, y);
-                inside = triangle_inside(a, b, side);
+                inside = inside && triangle_inside(a, b, side);
                 screen[i] = side / area;
             }
-            if (inside)
-                triangle_pixel(target, shading, p, screen, (size_t)row * width + column);
+            if (inside || wanted)
+                triangle_pixel(target, shading, p, screen, index);
         }
     }
 }

@@ -12,6 +12,9 @@ struct triangle_target {
     const struct method *method;
     double tolerance, part_area; /* as in struct shading */
     bool highlight;              /* can reach the next triangle */
+    const uint32_t *drawn;       /* as in struct reference_options */
+    uint32_t triangle;           /* the next one's number */
+    /* With `drawn`, the smallest barycentric coordinate in what the near plane left of the triangle; else: */
     double *depth; /* closeness: 1 / distance in perspective, else - distance; -infinity where nothing is */
 };
 
