@@ -22,6 +22,7 @@ static void reference_triangle(struct triangle_target *target, const struct scen
     target->highlight = false;
     for (unsigned i = 0; i < 3; i++) {
         corner[i] = mesh->vertex[triangle->corner[i]];
+        target->corner_placed[i] = target->placed ? target->placed[triangle->corner[i]] : NULL;
         bend[i] = decode_bend(triangle, i);
         target->highlight = target->highlight || (target->method->highlight && mesh->reached[triangle->corner[i]]);
     }
@@ -42,6 +43,8 @@ static void reference_object(struct triangle_target *target, const struct scene_
                        packed->vertex_count);
     for (uint32_t t = 0; t < packed->triangle_count; t++, target->triangle++)
         reference_triangle(target, scene, triangles + t, mesh);
+    if (target->placed)
+        target->placed += packed->vertex_count;
 }
 
 static void reference_clear(struct triangle_target *target)
@@ -65,6 +68,7 @@ bool reference_render(const struct scene_header *scene, const struct reference_o
                                      .view = &view,
                                      .method = methods + options->method,
                                      .drawn = options->drawn,
+                                     .placed = options->placed,
                                      .tolerance = (options->tolerance ? options->tolerance : 4) / 255,
                                      .part_area = options->part_area ? options->part_area : 32};
     size_t pixels = (size_t)image->width * image->height;

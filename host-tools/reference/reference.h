@@ -53,6 +53,10 @@ struct reference_options {
      * REFERENCE_NOTHING: none. Then the picture is of these, at these pixels, so that what is compared is shading
      * alone: where two surfaces meet in one depth or an edge in a pixel's centre, roundings say which is seen. */
     const uint32_t *drawn;
+    /* Null, or with `drawn`: where it placed each vertex, x and y in 28.4 from the picture's centre, counted through
+     * all objects. Taken where it is the true place rounded either way, to within 1/64 of a step: a sliver whose corner
+     * is all but half-way between two steps is another triangle after the other rounding. */
+    const int16_t (*placed)[2];
 };
 
 #define REFERENCE_NOTHING UINT32_MAX

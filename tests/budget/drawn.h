@@ -65,8 +65,7 @@ static void drawn_write(struct raster *r, int x, int y, uint32_t mask)
     const struct scene_header *scene = drawn_from->scene;
     const struct scene_mesh *mesh = r->input.object->mesh;
     const struct scene_triangle *triangles = scene_at(scene, mesh->triangles);
-    const uint32_t number =
-        drawn_from->first[mesh - scene_meshes(scene)] + (uint32_t)(r->input.triangle - triangles);
+    const uint32_t number = drawn_from->first[mesh - scene_meshes(scene)] + (uint32_t)(r->input.triangle - triangles);
     for (uint32_t *to = drawn_to + (size_t)y * r->width + x; mask; mask >>= 1, to++)
         if (mask & 1)
             *to = number;
