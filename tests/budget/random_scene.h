@@ -54,7 +54,7 @@ static inline void random_lights(struct scene_case *c)
         light->kind = random_fraction() < .5 ? LIGHT_POINT : LIGHT_DIRECTIONAL;
         const double distance = light->kind == LIGHT_POINT ? random_real(.1, 3) * CASE_UNIT : 1 << 30;
         for (int k = 0; k < 3; k++) {
-            light->colour[k] = (uint16_t)(random_between(8192, 32768) / (int)c->light_count);
+            light->colour[k] = (uint16_t)random_between(0, 32768);
             light->vector[k] = (int32_t)lrint(towards[k] * distance);
         }
         if (light->kind == LIGHT_POINT)
