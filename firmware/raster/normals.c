@@ -76,14 +76,14 @@ static inline __attribute__((always_inline)) void add_light(struct raster *r, in
     const struct surface *s = &r->surface;
     const q30_t diffuse = dot(r, i, towards);
     if (diffuse > 0)
-        for (unsigned c = 0; c < s->channels; c++)
+        for (unsigned c = 0; c < surface_channels(s); c++)
             r->sum[i][c] += surface_diffuse((uint32_t)diffuse >> 15, s->light[l].diffuse[c]);
-    q30_t highlight = s->highlights ? dot(r, i, half) : 0;
+    q30_t highlight = surface_highlights(s) ? dot(r, i, half) : 0;
     if (highlight <= 0)
         return;
     highlight += (highlight >> 17) * lacks >> 12; /* 2^13 (1 + 2^-12) * 2^17 */
     uint32_t power = formed ? surface_power(s, highlight) : fx_power(s->power, highlight);
-    for (unsigned c = 0; c < s->channels; c++)
+    for (unsigned c = 0; c < surface_channels(s); c++)
         r->sum[i][c] += surface_diffuse(power, s->light[l].specular[c]);
 }
 
@@ -118,15 +118,15 @@ static inline __attribute__((always_inline)) void add_lights(struct raster *r, i
     q14_t towards[3], half[3];
     int32_t lacks = 0;
     for (int i = 0; i < n; i++)
-        for (unsigned c = 0; c < s->channels; c++)
+        for (unsigned c = 0; c < surface_channels(s); c++)
             r->sum[i][c] = s->base[c];
-    for (unsigned l = 0; l < s->lights; l++) {
-        if (!object->local) {
+    for (unsigned l = 0; l < surface_lights(s); l++) {
+        if (!object_local(object)) {
             object_light_at(object, l, 0, towards, half);
             lacks = shortness(half);
         }
         for (int i = 0; i < n; i++) {
-            if (object->local) {
+            if (object_local(object)) {
                 const int32_t place[3] = {r->value[3][i], r->value[4][i], r->value[5][i]};
                 object_light_at(object, l, place, towards, half);
                 lacks = shortness(half);
@@ -143,7 +143,7 @@ FX_COLD static void add_lights_formed(struct raster *r, int n)
 
 static __attribute__((noinline)) void light(struct raster *r, int n)
 {
-    if (r->surface.form)
+    if (surface_form(&r->surface))
         add_lights_formed(r, n);
     else
         add_lights(r, n, 0);
@@ -157,7 +157,7 @@ static void find_normals(struct raster *r, int x, int y, int n)
 
 void normals_run(struct raster *r, int x, int y, int n)
 {
-    if (r->input.object->local)
+    if (object_local(r->input.object))
         find_places(r, x, y, n);
     find_normals(r, x, y, n);
     normalise(r, n);
@@ -172,7 +172,7 @@ static __attribute__((noinline)) void light_any(struct raster *r, int n)
 
 void normals_shade(struct raster *r, int x, int y, int n)
 {
-    if (r->input.object->local)
+    if (object_local(r->input.object))
         find_places(r, x, y, n);
     light_any(r, n);
 }
@@ -180,7 +180,7 @@ void normals_shade(struct raster *r, int x, int y, int n)
 /* The divisors of places take r->value[0], so that normals come after them. */
 void normals_run_perspective(struct raster *r, int x, int y, int n)
 {
-    if (r->input.object->local)
+    if (object_local(r->input.object))
         find_places(r, x, y, n);
     find_normals(r, x, y, n);
     light_any(r, n);
