@@ -1,137 +1,128 @@
 /* SPDX-License-Identifier: MIT */
-#include "drawn.h"
-#include "glint/renderer.h"
+/*
+ * Whether the budget holds: scenes, each from many sides and at many moments of its animation, by glint_auto with
+ * budgets from .5 to 32, and by the method that it falls back on, against the truth (measure.h).
+ *   holds [--views N] [--grey8|--rgb888|--rgb565] SCENE.json...    all formats unless one is given
+ * One line a scene and format, `ok` or `FAIL`: the largest differences by budget.
+ */
+#include "measure.h"
 #include "pack/pack.h"
-#include "picture.h"
 
-#include <math.h>
+#define VIEWS 60
 
-static int field(const uint8_t *pixels, unsigned format, size_t i, unsigned c, double *full)
+static const double budgets[] = {0, .5, 1, 2, 4, 8, 16, 32}; /* 0: the fallback, by its own name */
+#define BUDGETS (sizeof budgets / sizeof *budgets)
+
+static const char *const format_names[] = {"rgb565", "rgb888", "grey8"};
+
+/* What is promised beyond the budget is 1.5: half a step of the output, of 8 bits, and 1. */
+#define ROUNDINGS 1.0
+
+struct scene_result {
+    struct measure_worst worst[BUDGETS];
+    struct budget_view view[BUDGETS];
+};
+
+/* From all sides; the first as the scene stands. */
+static struct budget_view view_of(unsigned i)
 {
-    static const int shift[] = {11, 5, 0}, top[] = {31, 63, 31};
-    *full = 255;
-    if (format == GLINT_GREY8)
-        return pixels[i];
-    if (format == GLINT_RGB888)
-        return pixels[3 * i + c];
-    *full = top[c];
-    return ((const uint16_t *)(const void *)pixels)[i] >> shift[c] & top[c];
+    return i == 0 ? (struct budget_view){0, 0, 0}
+                  : (struct budget_view){(uint16_t)(i * 40503u), (uint16_t)(i * 10007u), i * 137};
 }
 
-#include "reference/decode.h"
-static void explain(struct drawn_scene *d, struct budget_picture *ids, struct budget_view v, uint32_t number,
-                    unsigned w, unsigned h, double px, double py)
+static void measure_budgets(struct measure *m, struct budget_picture *p, struct budget_picture *fallback,
+                            struct scene_result *result)
 {
-    static struct decode_vertex vs[65536];
-    struct decode_view view;
-    unsigned o = 0;
-    while (o + 1 < d->scene->object_count && d->first[o + 1] <= number)
-        o++;
-    const struct scene_object *ob = scene_objects(d->scene) + o;
-    const struct scene_mesh *mesh = scene_meshes(d->scene) + o;
-    const struct scene_triangle *t =
-        (const struct scene_triangle *)scene_at(d->scene, mesh->triangles) + (number - d->first[o]);
-    decode_view(d->scene, v.time_ms, w, h, &view);
-    decode_vertices(d->scene, ob, v.time_ms, vs);
-    decode_turn(d->scene, ob, v.time_ms, v.yaw, v.pitch, vs);
-    const struct object_state *os = NULL;
-    for (unsigned i = 0; i < ids->frame.object_count; i++)
-        if (ids->frame.objects[i].mesh == mesh)
-            os = &ids->frame.objects[i];
-    printf("   pixel %.1f %.1f; bend %u %u %u\n", 16 * (px + .5 - w / 2.), 16 * (py + .5 - h / 2.), t->bend[0],
-           t->bend[1], t->bend[2]);
-    for (int k = 0; k < 3; k++) {
-        struct decode_vertex *q = &vs[t->corner[k]];
-        double s = view.perspective ? view.focal / -q->position[2] : view.focal;
-        const int16_t *r = ids->frame.vertices + (os->first_vertex + t->corner[k]) * ids->frame.vertex_stride;
-        printf("   corner %d: %.4f %.4f z %.5f; integer %d %d %u normal %.4f %.4f %.4f\n", k, 16 * s * q->position[0],
-               -16 * s * q->position[1], q->position[2], r[0], r[1], (uint16_t)r[2], q->normal[0], q->normal[1],
-               q->normal[2]);
+    for (size_t b = 0; b < BUDGETS; b++) {
+        struct budget_picture *by = b == 0 ? fallback : p;
+        if (b > 0)
+            glint_set_budget(&p->frame, (uint16_t)(budgets[b] * 256));
+        budget_draw(by, m->scene, m->view);
+        const struct measure_worst worst = measure_picture(m, by->pixels);
+        if (worst.error > result->worst[b].error) {
+            result->worst[b] = worst;
+            result->view[b] = m->view;
+        }
     }
+}
+
+static int report(const char *path, unsigned format, const struct measure *m, const struct scene_result *result,
+                  unsigned views)
+{
+    int bad = m->missed != 0;
+    for (size_t b = 0; b < BUDGETS; b++)
+        bad |= result->worst[b].error > budgets[b] + ROUNDINGS;
+    printf("%s %s %s: %u views, beyond half a step: phong %.2f", bad ? "FAIL" : "ok", path, format_names[format], views,
+           result->worst[0].error);
+    for (size_t b = 1; b < BUDGETS; b++)
+        printf(", %g: %.2f", budgets[b], result->worst[b].error);
+    puts("");
+    if (m->missed)
+        printf("  %lu pixels drawn by a triangle that the truth does not see there\n", m->missed);
+    for (size_t b = 0; b < BUDGETS; b++) {
+        const struct measure_worst *w = &result->worst[b];
+        const struct budget_view *v = &result->view[b];
+        if (w->error > budgets[b] + ROUNDINGS)
+            printf(
+                "  budget %g: %.2f of a truth of %.2f at (%u, %u), channel %u, triangle %u, turned by %u %u at %u ms\n",
+                budgets[b], w->error, w->truth, w->x, w->y, w->channel, w->triangle, v->yaw, v->pitch, v->time_ms);
+    }
+    fflush(stdout);
+    return bad;
+}
+
+static int holds(const char *path, const struct scene_header *scene, unsigned format, unsigned views)
+{
+    const struct scene_camera *camera = &scene->camera;
+    struct scene_result result = {0};
+    struct measure m;
+    measure_open(&m, scene, camera->reference_width, camera->reference_height, (uint8_t)format);
+    struct budget_picture picture = {.config = {.width = camera->reference_width,
+                                                .height = camera->reference_height,
+                                                .format = (uint8_t)format,
+                                                .method = &glint_auto}},
+                          fallback = picture;
+    fallback.config.method = &glint_phong_perspective;
+    budget_open(&picture, scene);
+    budget_open(&fallback, scene);
+    for (unsigned v = 0; v < views; v++) {
+        measure_view(&m, view_of(v));
+        measure_budgets(&m, &picture, &fallback, &result);
+    }
+    const int bad = report(path, format, &m, &result, views);
+    budget_close(&picture);
+    budget_close(&fallback);
+    measure_close(&m);
+    return bad;
 }
 
 int main(int argc, char **argv)
 {
-    const char *path = argv[1];
-    unsigned views = (unsigned)atoi(argv[2]);
-    unsigned format = (unsigned)atoi(argv[3]);
-    struct pack_result packed;
-    struct drawn_scene d;
-    if (pack_load(path, NULL, &packed))
-        return 1;
-    drawn_open(&d, packed.scene);
-    unsigned w = packed.scene->camera.reference_width, h = packed.scene->camera.reference_height;
-    struct budget_picture ids = {.config = {.width = w, .height = h, .format = GLINT_GREY8, .method = &drawn_method}};
-    budget_open(&ids, d.scene);
-    uint32_t *drawn = budget_alloc(sizeof *drawn * w * h);
-    drawn_from = &d;
-    drawn_to = drawn;
-    struct budget_picture p[16];
-    double worst[16] = {0};
-    long over[16] = {0}, missed = 0, total = 0;
-    int n = argc - 4;
-    for (int m = 0; m < n; m++) {
-        p[m] = (struct budget_picture){
-            .config = {.width = w, .height = h, .format = format, .method = renderer_find(argv[4 + m])->method}};
-        budget_open(&p[m], packed.scene);
+    unsigned views = VIEWS, formats = 7;
+    int bad = 0, i = 1;
+    for (; i < argc && argv[i][0] == '-'; i++) {
+        unsigned format = 0;
+        if (strcmp(argv[i], "--views") == 0 && i + 1 < argc) {
+            views = (unsigned)strtoul(argv[++i], NULL, 10);
+            continue;
+        }
+        while (format < 3 && strcmp(argv[i] + 2, format_names[format]) != 0)
+            format++;
+        formats = 1u << format;
+        if (format == 3) {
+            fprintf(stderr, "holds [--views N] [--grey8|--rgb888|--rgb565] SCENE.json...\n");
+            return 2;
+        }
     }
-    for (unsigned v = 0; v < views; v++) {
-        struct budget_view view = {v * 40503u, v * 10007u + (v ? 3000 : 0), v * 137};
-        if (!v)
-            view.yaw = view.pitch = 0;
-        memset(drawn, 0xff, sizeof *drawn * w * h);
-        budget_draw(&ids, d.scene, view);
-        static int16_t placed[400000][2];
-        unsigned vbase = 0;
-        for (unsigned o = 0; o < d.scene->object_count; o++) {
-            const struct scene_mesh *mesh = scene_meshes(d.scene) + o;
-            for (unsigned i = 0; i < ids.frame.object_count; i++)
-                if (ids.frame.objects[i].mesh == mesh)
-                    for (unsigned k = 0; k < mesh->vertex_count; k++) {
-                        const int16_t *rec =
-                            ids.frame.vertices + (ids.frame.objects[i].first_vertex + k) * ids.frame.vertex_stride;
-                        placed[vbase + k][0] = rec[0], placed[vbase + k][1] = rec[1];
-                    }
-            vbase += mesh->vertex_count;
-        }
-        struct reference_image truth;
-        struct reference_options o = {.time_ms = view.time_ms,
-                                      .yaw = view.yaw,
-                                      .pitch = view.pitch,
-                                      .grey = format == GLINT_GREY8,
-                                      .drawn = drawn,
-                                      .placed = (const int16_t(*)[2])placed};
-        reference_render(packed.scene, &o, &truth);
-        for (size_t i = 0; i < w * h; i++) {
-            total += drawn[i] != REFERENCE_NOTHING;
-            missed += (drawn[i] != REFERENCE_NOTHING) != truth.covered[i];
-        }
-        for (int m = 0; m < n; m++) {
-            budget_draw(&p[m], packed.scene, view);
-            double most = 0;
-            size_t at = 0;
-            for (size_t i = 0; i < w * h; i++)
-                if (truth.covered[i])
-                    for (unsigned c = 0; c < truth.channels; c++) {
-                        double full, got = field(p[m].pixels, format, i, c, &full);
-                        double e = fabs(got - full * truth.value[i * truth.channels + c]);
-                        over[m] += e > 1.5;
-                        if (e > most)
-                            most = e, at = i;
-                    }
-            if (most > worst[m]) {
-                worst[m] = most;
-                if (getenv("V") && most > 1.5)
-                    printf("%s view %u (%u %u %u) pixel %zu %zu triangle %u: %.2f truth %.2f\n", argv[4 + m], v,
-                           view.yaw, view.pitch, view.time_ms, at % w, at / w, drawn[at], most,
-                           255 * truth.value[at * truth.channels]),
-                        explain(&d, &ids, view, drawn[at], w, h, at % w, at / w);
-            }
-        }
-        reference_free(&truth);
+    for (; i < argc; i++) {
+        struct pack_result packed;
+        int code = pack_load(argv[i], NULL, &packed);
+        if (code)
+            return code;
+        for (unsigned format = 0; format < 3; format++)
+            if (formats >> format & 1)
+                bad |= holds(argv[i], packed.scene, format, views);
+        pack_free(&packed);
     }
-    printf("%-32s %ld pixels, %ld missed;", path, total, missed);
-    for (int m = 0; m < n; m++)
-        printf(" %s %.2f (%ld)", argv[4 + m], worst[m], over[m]);
-    puts("");
+    return bad;
 }

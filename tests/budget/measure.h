@@ -132,8 +132,8 @@ static inline struct measure_worst measure_picture(const struct measure *m, cons
             const double truth = 255 * m->truth.value[i * channels + c];
             const double error = fabs(255. * level / full - truth) - measure_half_step(m->format, c);
             if (error > worst.error)
-                worst = (struct measure_worst){error, truth, (unsigned)(i % m->width), (unsigned)(i / m->width), c,
-                                               m->drawn[i]};
+                worst = (struct measure_worst){error, truth,      (unsigned)(i % m->width), (unsigned)(i / m->width),
+                                               c,     m->drawn[i]};
         }
     return worst;
 }

@@ -14,7 +14,8 @@
 static struct scene_vertex random_vertices[RANDOM_SIDE * RANDOM_SIDE];
 static struct scene_triangle random_triangles[2 * (RANDOM_SIDE - 1) * (RANDOM_SIDE - 1)];
 
-/* Two units wide, its vertices and normals moved at random: `lean` 0 leaves the normals along the view, 3 forgets it. */
+/* Two units wide, its vertices and normals moved at random: `lean` 0 leaves the normals along the view, 3 forgets it.
+ */
 static inline void random_mesh(struct scene_case *c, double lean)
 {
     unsigned count = 0;
