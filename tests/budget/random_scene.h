@@ -47,12 +47,13 @@ static inline void random_mesh(struct scene_case *c, double lean)
 
 static inline void random_lights(struct scene_case *c)
 {
+    const int near = random_fraction() < .3;
     c->light_count = random_fraction() < .6 ? 1 : (unsigned)random_between(2, SCENE_MAX_LIGHTS);
     for (unsigned i = 0; i < c->light_count; i++) {
         struct scene_light *light = &c->light[i];
         double towards[3];
         random_direction(towards, 3);
-        light->kind = random_fraction() < .5 ? LIGHT_POINT : LIGHT_DIRECTIONAL;
+        light->kind = near && random_fraction() < .7 ? LIGHT_POINT : LIGHT_DIRECTIONAL;
         const double distance = light->kind == LIGHT_POINT ? random_real(.1, 3) * CASE_UNIT : 1 << 30;
         for (int k = 0; k < 3; k++) {
             light->colour[k] = (uint16_t)random_between(0, 32768);
@@ -85,12 +86,13 @@ static inline struct scene_header *random_scene(uint32_t seed)
         random_bits();
     scene_case_default(&c, RANDOM_WIDTH, RANDOM_HEIGHT);
     c.head.camera.kind = random_fraction() < .4 ? CAMERA_ORTHOGRAPHIC : CAMERA_PERSPECTIVE;
-    c.head.camera.viewer = random_fraction() < .4 ? VIEWER_LOCAL : VIEWER_INFINITE;
+    c.head.camera.viewer = random_fraction() < .2 ? VIEWER_LOCAL : VIEWER_INFINITE;
     if (c.head.camera.kind == CAMERA_ORTHOGRAPHIC)
         c.head.camera.focal = 24 * CASE_UNIT;
     c.head.camera.near_plane = CASE_UNIT;
     random_material(&c.material[0]);
-    random_mesh(&c, random_fraction() < .7 ? .8 * random_fraction() : 3 * random_fraction());
+    static const double leans[] = {.1, .3, .8, 3};
+    random_mesh(&c, leans[random_between(0, 3)] * random_fraction());
     random_lights(&c);
     return scene_case_blob(&c);
 }
