@@ -3,13 +3,8 @@
 #include "raster/raster.h"
 #include "shade/colour.h"
 
-static uint32_t draw_constant(struct raster *r, struct edges *e)
-{
-    return glint_flat.draw(r, e);
-}
-
-static const struct glint_method dark = {GLINT_DARK, 0, 0, shade_constant, draw_constant, 0, 0};
-static const struct glint_method constant = {GLINT_CONSTANT, 0, 0, shade_constant, draw_constant, 0, 0};
+static const struct glint_method dark = {GLINT_DARK, 0, 0, shade_constant, draw_flat, 0, 0};
+static const struct glint_method constant = {GLINT_CONSTANT, 0, 0, shade_constant, draw_flat, 0, 0};
 static const struct glint_method linear = {GLINT_LINEAR, 1, 0, shade_planned, raster_draw_dots, 0, 0};
 static const struct glint_method six = {GLINT_SIX, 1, 0, shade_planned, raster_draw_dots, 0, 0};
 
@@ -35,4 +30,4 @@ static const struct glint_method *choose_planned(struct raster *r)
     return in->plan.rung == PLAN_PHONG && !in->divides ? &glint_phong : rungs[in->plan.rung];
 }
 
-const struct glint_method glint_auto = {GLINT_FLAT, 1, COLOUR_WORDS, shade_constant, draw_constant, 0, choose_planned};
+const struct glint_method glint_auto = {GLINT_FLAT, 1, COLOUR_WORDS, shade_constant, draw_flat, 0, choose_planned};
