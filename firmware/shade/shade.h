@@ -26,10 +26,10 @@ struct clipped_triangle {
  * products negated. All methods take it for a triangle of a mesh of three vertices.
  */
 struct shade_turned {
-    const struct scene_triangle *source; /* the mesh's */
     struct scene_triangle triangle;
     struct scene_vertex vertex[3];
-    int16_t lights[3][2 * SCENE_MAX_LIGHTS + SHADE_VERTEX_WORDS];
+    int16_t uv[3][2];
+    int16_t lights[3][USES(USES_TWO_SIDED) ? 2 * SCENE_MAX_LIGHTS + SHADE_VERTEX_WORDS : 1];
 };
 
 /* A triangle to be shaded. Corners stand clockwise on the screen (y down), so that determinants are positive. */
@@ -38,7 +38,6 @@ struct shade_input {
     int16_t *lights[3];                    /* N.L and N.H, Q14, of the source triangle's corners, in the same turn */
     const struct scene_triangle *triangle; /* the source; its edges stand in `bend` as 2, 1, 0 */
     const struct scene_vertex *vertices;   /* of its mesh */
-    const struct shade_turned *turned;     /* null: seen from the front. Else source, vertices and lights are its own */
     const uint16_t (*weight)[3];           /* null: the corners are the source's */
     const int16_t (*uvs)[2];               /* of its mesh, Q12; null: none */
     const struct object_state *object;
@@ -57,12 +56,6 @@ struct shade_input {
 /* Which of the source's corners is the input's corner k. */
 #define SHADE_TURN(k) ((k) ? 3 - (k) : 0)
 
-/* Which vertex of the mesh corner k is, for what lies beside its vertices: texture coordinates, tangents. */
-static inline unsigned shade_vertex(const struct shade_input *in, int k)
-{
-    return USES(USES_TWO_SIDED) && in->turned ? in->turned->source->corner[k] : in->triangle->corner[SHADE_TURN(k)];
-}
-
 /* Turns the triangle of an input round, whose places and lights are those of corners 0, 2, 1 of the mesh's; `words` of
  * a vertex record are the method's. The colour that one keeps is not that of the back: the copy has none. */
 void shade_turn(struct shade_turned *turned, struct shade_input *in, unsigned words);
@@ -70,6 +63,7 @@ void shade_turn(struct shade_turned *turned, struct shade_input *in, unsigned wo
 /* Channels: per light N.L then N.H (x, six, duff), finished colours (gouraud, color6), or the normal's components
  * and the place's (phong, overveld, biquadratic). */
 #define SHADE_MAX_CHANNELS (2 * SCENE_MAX_LIGHTS + 1)
+#define SHADE_WEIGHT       6 /* beside places in perspective: W of shade/perspective.h, Q30 */
 #define SHADE_SQUARE       (2 * SCENE_MAX_LIGHTS) /* duff: the squared length of the normal */
 
 /*
