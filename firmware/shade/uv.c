@@ -9,7 +9,7 @@ void uv_corners(struct uv_corners *uv, const struct shade_input *in)
     for (int axis = 0; axis < 2; axis++) {
         int32_t *value = uv->value[axis];
         for (int k = 0; k < 3; k++)
-            value[k] = in->uvs[shade_vertex(in, k)][axis];
+            value[k] = in->uvs[in->triangle->corner[SHADE_TURN(k)]][axis];
         if (in->weight)
             piece_linear(in->weight, value);
         for (int k = 0; k < 3; k++)
