@@ -120,7 +120,8 @@ static void take_material(struct raster *r, const struct scene_header *scene, un
 {
     r->surface_material = (uint16_t)material;
     surface_setup(&r->surface, scene, scene_materials(scene) + material, &r->palette);
-    effects_surface(r);
+    if (USES(USES_TEXTURE | USES_FOG))
+        effects_surface(r);
     if (raster_effects(r))
         r->surface.fold = 0; /* runs have N.L itself */
     table_find(r);

@@ -97,6 +97,12 @@ static inline uint32_t raster_effects(const struct raster *r)
     return USES(USES_TEXTURE | USES_FOG) ? r->effects : 0;
 }
 
+/* Where lights add highlights. */
+static inline uint32_t *raster_gloss(struct raster *r)
+{
+    return USES(USES_TEXTURE) ? r->gloss : r->sum[0];
+}
+
 struct triangle_ref;
 
 /* The picture's format, dither and channels; constants where the program has no others. */
