@@ -93,10 +93,9 @@ uint32_t model_add_vertex(struct model_mesh *mesh, const double position[3], con
 {
     mesh->vertices = model_grow(mesh->vertices, mesh->vertex_count, &mesh->vertex_room, sizeof *mesh->vertices);
     struct model_vertex *vertex = &mesh->vertices[mesh->vertex_count];
+    *vertex = (struct model_vertex){.uv = {u, v}};
     memcpy(vertex->position, position, sizeof vertex->position);
     memcpy(vertex->normal, normal, sizeof vertex->normal);
-    vertex->uv[0] = u;
-    vertex->uv[1] = v;
     return (uint32_t)mesh->vertex_count++;
 }
 

@@ -17,6 +17,8 @@ struct model_vertex {
     double position[3];
     double normal[3]; /* need not be unit; zero when there is none */
     double uv[2];
+    double tangent[3]; /* along growing u; zero: none given */
+    double sign;       /* of the frame, tangents_make()'s */
 };
 
 struct model_triangle {
