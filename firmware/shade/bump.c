@@ -1,0 +1,174 @@
+/* SPDX-License-Identifier: MIT */
+#include "shade/bump.h"
+
+#include "shade/dots.h"
+#include "shade/piece.h"
+
+/* A unit vector's product with another, both within 2^-10 of it: at most 2^14 (1 + 2^-8). */
+static int32_t dot(const q14_t a[3], const q14_t b[3])
+{
+    return (a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + (1 << 13)) >> 14;
+}
+
+void bump_turn(const struct bump_frame *frame, const q14_t v[3], int16_t out[3])
+{
+    for (int i = 0; i < 3; i++)
+        out[i] = (int16_t)dot(frame->axis[i], v);
+}
+
+void bump_make_frame(const q14_t tangent[3], int sign, const q14_t normal[3], struct bump_frame *out)
+{
+    for (int i = 0; i < 3; i++) {
+        const int j = i == 2 ? 0 : i + 1, k = j == 2 ? 0 : j + 1;
+        const int32_t cross = (normal[j] * tangent[k] - normal[k] * tangent[j] + (1 << 13)) >> 14; /* 2^29 at most */
+        out->axis[0][i] = tangent[i];
+        out->axis[1][i] = (q14_t)(sign < 0 ? -cross : cross);
+        out->axis[2][i] = normal[i];
+    }
+}
+
+/* With S = a + b and m = 2 / |S| the middle is m S / 2, and the bulge 2 S - 2 m S. */
+void bump_average(const int16_t a[3], const int16_t b[3], int32_t bulge[3])
+{
+    int32_t sum[3], quarter = 0; /* of |S|^2, which is 1 for equal ends: Q28 */
+    for (int i = 0; i < 3; i++) {
+        sum[i] = a[i] + b[i]; /* |sum| <= 2^15 (1 + 2^-8): halves' squares sum to 2^28 (1 + 2^-7) */
+        quarter += (sum[i] >> 1) * (sum[i] >> 1);
+    }
+    const int32_t square = (quarter + (1 << 11)) >> 12, one = 1 << 16;
+    /* m >= 1 but for roundings; |S| m <= 2 (1 + 2^-8): |S (m - 1)| < 2^31 in Q30, half of it fits */
+    const int32_t longer = (int32_t)dots_length_factor(square < one ? (uint32_t)(one - square) : 0) - one;
+    for (int i = 0; i < 3; i++)
+        bulge[i] = -(sum[i] * (longer >> 1));
+}
+
+/* The triangle's corners as bump mapping sees them. */
+struct corners {
+    struct bump_frame frame[3];
+    const struct scene_vertex *vertex[3];
+};
+
+static void find_corners(const struct shade_input *in, struct corners *out)
+{
+    for (int k = 0; k < 3; k++) {
+        const unsigned corner = in->triangle->corner[SHADE_TURN(k)];
+        out->vertex[k] = &in->vertices[corner];
+        bump_make_frame(in->tangents[corner].tangent, in->tangents[corner].sign, out->vertex[k]->normal,
+                        &out->frame[k]);
+    }
+}
+
+/* L' and H' of a light, [which][corner or edge][axis]. */
+struct samples {
+    int16_t corner[2][3][3];
+    int32_t bulge[2][3][3];
+};
+
+static void directions(const struct shade_input *in, unsigned light, const int16_t *position, q14_t out[2][3])
+{
+    const int32_t place[3] = {position[0], position[1], position[2]};
+    const struct object_light *far = &in->object->light[light];
+    if (USES(USES_POINT_LIGHT | USES_LOCAL_VIEWER) && in->object->local) {
+        object_light_at(in->object, light, place, out[0], out[1]);
+        return;
+    }
+    for (int i = 0; i < 3; i++) {
+        out[0][i] = far->towards[i];
+        out[1][i] = far->half[i];
+    }
+}
+
+/* A unit vector half-way between two. */
+static void half_way(const q14_t a[3], const q14_t b[3], q14_t out[3])
+{
+    const int32_t sum[3] = {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+    object_unit(sum, out);
+}
+
+/* L' and H' in a frame of the edge's middle (the paper's way), and their bulges. */
+static void rebuild(const struct shade_input *in, const struct corners *corners, unsigned light, int a, int b,
+                    int upright, struct samples *samples)
+{
+    const struct scene_vertex *va = corners->vertex[a], *vb = corners->vertex[b];
+    struct bump_frame frame;
+    q14_t normal[3], tangent[3], towards[2][3];
+    int16_t position[3];
+    half_way(va->normal, vb->normal, normal);
+    half_way(corners->frame[a].axis[0], corners->frame[b].axis[0], tangent);
+    if (upright) {
+        const int32_t lean = dot(normal, tangent);
+        int32_t v[3];
+        for (int i = 0; i < 3; i++)
+            v[i] = tangent[i] * (1 << 14) - lean * normal[i]; /* below 2^30 */
+        object_unit(v, tangent);
+    }
+    bump_make_frame(tangent, in->tangents[in->triangle->corner[SHADE_TURN(a)]].sign, normal, &frame);
+    for (int i = 0; i < 3; i++)
+        position[i] = (int16_t)((va->position[i] + vb->position[i]) >> 1);
+    directions(in, light, position, towards);
+    for (int which = 0; which < 2; which++) {
+        int16_t middle[3];
+        bump_turn(&frame, towards[which], middle);
+        for (int i = 0; i < 3; i++) /* 2 (Ia + Ib) - 4 I: below 2^31 */
+            samples->bulge[which][a][i] =
+                (samples->corner[which][a][i] + samples->corner[which][b][i] - 2 * middle[i]) * (1 << 15);
+    }
+}
+
+/* A template: `middle` is constant. */
+static inline __attribute__((always_inline)) void sample(const struct shade_input *in, const struct corners *corners,
+                                                         unsigned light, enum bump_middle middle,
+                                                         struct samples *samples)
+{
+    for (int k = 0; k < 3; k++) {
+        q14_t towards[2][3];
+        directions(in, light, corners->vertex[k]->position, towards);
+        for (int which = 0; which < 2; which++)
+            bump_turn(&corners->frame[k], towards[which], samples->corner[which][k]);
+    }
+    for (int k = 0; k < 3; k++) {
+        const int next = k == 2 ? 0 : k + 1;
+        if (middle != BUMP_AVERAGE)
+            rebuild(in, corners, light, k, next, middle == BUMP_UPRIGHT, samples);
+        for (int which = 0; middle == BUMP_AVERAGE && which < 2; which++)
+            bump_average(samples->corner[which][k], samples->corner[which][next], samples->bulge[which][k]);
+    }
+}
+
+/* The three components as quadratic channels. */
+static void quadratic_vector(struct shade_setup *setup, const struct shade_input *in, const int16_t (*corner)[3],
+                             const int32_t (*edge)[3], struct channel *out)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        int32_t value[3], bulge[3];
+        for (int k = 0; k < 3; k++) {
+            value[k] = corner[k][axis];
+            bulge[k] = edge[k][axis];
+        }
+        if (in->weight)
+            piece_quadratic(in->weight, value, bulge);
+        dots_quadratic(setup, value, bulge, &out[axis]);
+    }
+}
+
+/* |sum Vi li|^2 = 1 - 4 sum kij li lj of unit vectors, kij = (1 - Vi.Vj) / 2: corner values 1 and bulges 4 kij (FORMULAS
+ * of Duff's denominator: eq. 36-42 with f = C.C). */
+static void square(struct shade_setup *setup, const struct shade_input *in, const int16_t (*corner)[3],
+                   const struct perspective *perspective, struct channel *out)
+{
+    int32_t value[3], bulge[3];
+    for (int k = 0; k < 3; k++) {
+        const int16_t *a = corner[k], *b = corner[k == 2 ? 0 : k + 1];
+        int32_t difference = 0; /* |a - b|^2 = 4 k, at most 4 (1 + 2^-7): within 2^30 (1 + 2^-7) in Q28 */
+        for (int i = 0; i < 3; i++)
+            difference += (a[i] - b[i]) * (a[i] - b[i]);
+        value[k] = Q14(1, 1);
+        bulge[k] = difference;
+    }
+    if (in->weight)
+        piece_quadratic(in->weight, value, bulge);
+    if (perspective)
+        perspective_quadratic(perspective, &setup->plane, value, bulge, out);
+    else
+        plane_quadratic_large(&setup->plane, value, bulge, out);
+}
