@@ -4,7 +4,7 @@
  * need (scene_header.effects, made by `glint pack`), a panel or a stream names its formats. A program that is built
  * for given scenes is compiled with -DGLINT_USES=0x... of their union, which `glint pack --uses` prints, and has no
  * code of what is not in it; without that definition it has all. glint_frame_begin() refuses a scene that needs more,
- * glint_init() a format that is not there.
+ * glint_init() a configuration.
  *
  * Code of an effect stands behind `if (USES(USES_FOG) && ...)`: never behind #if, so that it always compiles.
  */
@@ -32,16 +32,34 @@
 #define USES_RGB888         0x20000u
 #define USES_GREY8          0x40000u
 #define USES_GREY4          0x80000u
-#define USES_DITHER         0x100000u /* of RGB565 and GREY4 */
-#define USES_FORMATS        0x1f0000u
+#define USES_COLOUR         (USES_RGB565 | USES_RGB888)
+#define USES_GREY           (USES_GREY8 | USES_GREY4)
+#define USES_FORMATS        (USES_COLOUR | USES_GREY)
 
-#define USES_ALL (USES_EFFECTS | USES_FORMATS)
+/* What the program's configurations ask for besides. */
+#define USES_DITHER  0x100000u /* GLINT_DITHER */
+#define USES_POWERS  0x200000u /* config.power other than null */
+#define USES_OPTIONS 0x300000u
+
+#define USES_ALL (USES_EFFECTS | USES_FORMATS | USES_OPTIONS)
 
 #ifndef GLINT_USES
 #define GLINT_USES USES_ALL
 #endif
 
-/* Whether this program has it: a constant. */
+/* Whether this program has one of them: a constant. */
 #define USES(bits) ((GLINT_USES & (bits)) != 0)
+
+/* Whether a format is this one: a constant where the program has one alone, or this one not. */
+static inline int uses_format(unsigned format, unsigned which)
+{
+    return USES(USES_FORMAT(which)) && ((GLINT_USES & USES_FORMATS) == USES_FORMAT(which) || format == which);
+}
+
+/* Channels of a picture, 1 (grey) or 3, likewise. */
+static inline unsigned uses_channels(unsigned channels)
+{
+    return !USES(USES_GREY) ? 3 : !USES(USES_COLOUR) ? 1 : channels;
+}
 
 #endif

@@ -52,7 +52,7 @@ static int errs_at_centre(const struct raster *r, const struct part_corner corne
     for (int i = 0; i < 2; i++) /* three of at most 2^15; a third, rounded down, leaves the rest at least 0 */
         centre.weight[i] = (uint16_t)(((uint32_t)corner[0].weight[i] + corner[1].weight[i] + corner[2].weight[i]) / 3);
     part_shade(&r->input, &centre);
-    for (unsigned c = 0; c < r->palette.channels; c++) {
+    for (unsigned c = 0; c < raster_channels(r); c++) {
         int32_t estimate = 0;
         for (int k = 0; k < 3; k++)
             estimate += 4 * corner[3 + k].colour[c] - corner[k].colour[c];

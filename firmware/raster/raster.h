@@ -76,6 +76,20 @@ struct raster {
 
 struct triangle_ref;
 
+/* The picture's format, dither and channels; constants where the program has no others. */
+static inline int raster_is(const struct raster *r, enum glint_format format)
+{
+    return uses_format(r->format, format);
+}
+static inline int raster_dithers(const struct raster *r)
+{
+    return USES(USES_DITHER) && r->dither;
+}
+static inline unsigned raster_channels(const struct raster *r)
+{
+    return uses_channels(r->palette.channels);
+}
+
 /* The largest value of an output channel. */
 static inline uint8_t raster_top(unsigned format, unsigned channel)
 {

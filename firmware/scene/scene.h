@@ -190,7 +190,7 @@ struct scene_header {
     uint32_t meshes, materials, powers, lights, objects, keys, textures; /* offsets of the arrays; 0 for an empty one */
     uint16_t mesh_count, material_count, power_count, light_count, object_count, key_count, texture_count;
     uint16_t reserved2;     /* 0 */
-    uint32_t effects;       /* of uses.h: at least scene_effects() */
+    uint32_t effects;       /* of uses.h: at least those of scene_effects.h */
     uint32_t duration_ms;   /* of one loop of the animation; 0: none. Time given to the renderer is taken modulo this */
     uint16_t ambient[3];    /* Q15 */
     uint16_t background[3]; /* Q15 */
@@ -213,9 +213,6 @@ enum scene_fault {
 /* Checks all of the blob: 0, or what is wrong. `size` may exceed the blob's own length (flash behind it). Reads
  * nothing outside blob[0..size). */
 enum scene_fault scene_check(const void *blob, size_t size);
-
-/* The effects that a scene whose arrays are inside it can need. */
-uint32_t scene_effects(const struct scene_header *scene);
 
 /* One short English sentence for a fault, for messages. */
 const char *scene_fault_text(enum scene_fault fault);

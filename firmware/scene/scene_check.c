@@ -4,6 +4,7 @@
  * inside the blob, and only then the arrays' contents, so that no reference is followed before it is known to be good.
  * What only an effect reads that this program has no code for is not looked at.
  */
+#include "scene/scene_effects.h"
 #include "scene/texel.h"
 
 #include <stdbool.h>

@@ -109,6 +109,12 @@ struct shade_setup {
     uint32_t flat[3]; /* flat: the finished colour, Q15 steps */
 };
 
+/* The lights whose highlight shows. */
+static inline unsigned shade_specular(const struct shade_setup *setup)
+{
+    return USES(USES_SPECULAR) ? setup->specular_lights : 0;
+}
+
 /* Each fills the channels it needs; plane and depth are done. */
 void shade_flat(struct shade_setup *setup, const struct shade_input *in);
 void shade_gouraud(struct shade_setup *setup, const struct shade_input *in);

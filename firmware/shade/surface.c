@@ -16,9 +16,10 @@ static uint32_t luma(const uint32_t rgb[3])
 /* Q15 intensities to the palette's channels: steps in Q(15 + fraction - 15). */
 FX_COLD static void to_steps(const struct palette *palette, const uint32_t rgb_q15[3], unsigned down, uint32_t *out)
 {
-    const uint32_t grey = palette->channels == 1 ? luma(rgb_q15) : 0;
+    const int is_grey = uses_channels(palette->channels) == 1;
+    const uint32_t grey = is_grey ? luma(rgb_q15) : 0;
     for (unsigned c = 0; c < 3; c++) /* 2^15 * 255; of a grey palette the others' tops are 0 */
-        out[c] = ((palette->channels == 1 ? grey : rgb_q15[c]) * palette->top[c]) >> down;
+        out[c] = ((is_grey ? grey : rgb_q15[c]) * palette->top[c]) >> down;
 }
 
 FX_COLD void surface_colour(const struct palette *palette, const uint16_t rgb_q15[3], uint32_t *out)
@@ -70,15 +71,15 @@ FX_COLD void surface_setup(struct surface *surface, const struct scene_header *s
 
 void surface_shade(const struct surface *surface, const int16_t *lights_q14, uint32_t *out)
 {
-    unsigned channels = surface->channels;
+    const unsigned channels = surface_channels(surface);
     for (unsigned c = 0; c < channels; c++)
         out[c] = surface->base[c];
-    for (unsigned i = 0; i < surface->lights; i++) {
+    for (unsigned i = 0; i < surface_lights(surface); i++) {
         int32_t l = lights_q14[2 * i], h = lights_q14[2 * i + 1];
         uint32_t diffuse = l > 0 ? (uint32_t)l << 1 : 0;
         for (unsigned c = 0; c < channels; c++)
             out[c] += surface_diffuse(diffuse, surface->light[i].diffuse[c]);
-        if (surface->highlights && h > 0) {
+        if (surface_highlights(surface) && h > 0) {
             uint32_t power = surface_power(surface, (q30_t)(h << 16)); /* h < 2^14 */
             for (unsigned c = 0; c < channels; c++)
                 out[c] += surface_diffuse(power, surface->light[i].specular[c]);

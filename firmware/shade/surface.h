@@ -29,6 +29,24 @@ struct surface {
     } light[SCENE_MAX_LIGHTS];
 };
 
+/* Of them, what a program for given scenes and formats knows at once. */
+static inline unsigned surface_channels(const struct surface *s)
+{
+    return uses_channels(s->channels);
+}
+static inline unsigned surface_lights(const struct surface *s)
+{
+    return USES(USES_SEVERAL_LIGHTS) ? s->lights : s->lights != 0;
+}
+static inline int surface_highlights(const struct surface *s)
+{
+    return USES(USES_SPECULAR) && s->highlights;
+}
+static inline const struct glint_power *surface_form(const struct surface *s)
+{
+    return USES(USES_POWERS) ? s->form : 0;
+}
+
 void surface_setup(struct surface *surface, const struct scene_header *scene, const struct scene_material *material,
                    const struct palette *palette);
 
@@ -44,7 +62,7 @@ static inline uint32_t surface_diffuse(uint32_t n_dot_l_q15, uint16_t step_q8)
 /* (N.H)^n in Q15 of N.H in Q30. */
 static inline uint32_t surface_power(const struct surface *surface, q30_t n_dot_h)
 {
-    if (!surface->form)
+    if (!surface_form(surface))
         return fx_power(surface->power, n_dot_h);
     surface->form->run(surface->power->exponent, &n_dot_h, 1);
     return (uint32_t)n_dot_h;

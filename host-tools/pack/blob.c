@@ -4,6 +4,7 @@
 #include "pack/convert.h"
 #include "pack/quantise.h"
 #include "pack/texture.h"
+#include "scene/scene_effects.h"
 #include "scene/texel.h"
 
 #include <limits.h>

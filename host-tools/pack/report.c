@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "pack/report.h"
 
+#include "pack/uses.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -72,6 +74,13 @@ static void print_texture(FILE *out, const struct pack_texture_report *t)
     fprintf(out, ", colours off by %.2f/255 rms\n", t->error);
 }
 
+void report_print_effects(FILE *out, const struct scene_header *s)
+{
+    fputs("effects ", out);
+    uses_print(out, scene_effects(s));
+    fputc('\n', out);
+}
+
 void report_print(FILE *out, const struct pack_result *result)
 {
     const struct scene_header *s = result->scene;
@@ -95,5 +104,6 @@ void report_print(FILE *out, const struct pack_result *result)
     fprintf(out, "scene    %u meshes, %u materials, %u power tables, %u lights, %u objects, %u keys", s->mesh_count,
             s->material_count, s->power_count, s->light_count, s->object_count, s->key_count);
     fprintf(out, s->texture_count ? ", %u textures\n" : "\n", s->texture_count);
+    report_print_effects(out, s);
     report_print_bytes(out, s);
 }

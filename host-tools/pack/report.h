@@ -60,6 +60,8 @@ struct report_totals {
 };
 
 struct report_totals report_count(const struct scene_header *scene);
+/* What the scene can need of the renderer (firmware/uses.h). */
+void report_print_effects(FILE *out, const struct scene_header *scene);
 void report_print_bytes(FILE *out, const struct scene_header *scene);
 
 /* The largest angle between two vertex normals of a triangle, in degrees. */

@@ -3,7 +3,7 @@
 #ifndef SCENE_CASE_H
 #define SCENE_CASE_H
 
-#include "scene/scene.h"
+#include "scene/scene_effects.h"
 
 #include <math.h>
 #include <stdlib.h>
