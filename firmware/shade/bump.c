@@ -115,9 +115,9 @@ static void rebuild(const struct shade_input *in, const struct corners *corners,
     }
 }
 
-/* A template: `middle` is constant. */
+/* A template: `quadratic` and `middle` are constant; without the first there are no bulges. */
 static inline __attribute__((always_inline)) void sample(const struct shade_input *in, const struct corners *corners,
-                                                         unsigned light, enum bump_middle middle,
+                                                         unsigned light, int quadratic, enum bump_middle middle,
                                                          struct samples *samples)
 {
     for (int k = 0; k < 3; k++) {
@@ -126,7 +126,7 @@ static inline __attribute__((always_inline)) void sample(const struct shade_inpu
         for (int which = 0; which < 2; which++)
             bump_turn(&corners->frame[k], towards[which], samples->corner[which][k]);
     }
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; quadratic && k < 3; k++) {
         const int next = k == 2 ? 0 : k + 1;
         if (middle != BUMP_AVERAGE)
             rebuild(in, corners, light, k, next, middle == BUMP_UPRIGHT, samples);
@@ -151,8 +151,8 @@ static void quadratic_vector(struct shade_setup *setup, const struct shade_input
     }
 }
 
-/* |sum Vi li|^2 = 1 - 4 sum kij li lj of unit vectors, kij = (1 - Vi.Vj) / 2: corner values 1 and bulges 4 kij (FORMULAS
- * of Duff's denominator: eq. 36-42 with f = C.C). */
+/* |sum Vi li|^2 = 1 - 4 sum kij li lj of unit vectors, kij = (1 - Vi.Vj) / 2: corner values 1 and bulges 4 kij
+ * (FORMULAS of Duff's denominator: eq. 36-42 with f = C.C). */
 static void square(struct shade_setup *setup, const struct shade_input *in, const int16_t (*corner)[3],
                    const struct perspective *perspective, struct channel *out)
 {
@@ -171,4 +171,83 @@ static void square(struct shade_setup *setup, const struct shade_input *in, cons
         perspective_quadratic(perspective, &setup->plane, value, bulge, out);
     else
         plane_quadratic_large(&setup->plane, value, bulge, out);
+}
+
+/* Linear, or quadratic through middles of a kind: templates. */
+static inline __attribute__((always_inline)) void setup_lights(struct shade_setup *setup, const struct shade_input *in,
+                                                               int quadratic, enum bump_middle middle)
+{
+    struct corners corners;
+    const struct surface *s = in->surface;
+    find_corners(in, &corners);
+    if (quadratic)
+        plane_setup_quadratic(&setup->plane);
+    setup->quadratic = (uint8_t)quadratic;
+    setup->runs_only = setup->depth.exact != 0;
+    for (unsigned i = 0; i < s->lights; i++) {
+        struct samples samples;
+        struct channel *channel = setup->bump + BUMP_CHANNELS * i;
+        sample(in, &corners, i, quadratic, middle, &samples);
+        setup->diffuse_lights |= (uint8_t)(1u << i);
+        setup->specular_lights |= (uint8_t)(s->highlights << i);
+        for (int which = 0; which < (s->highlights ? 2 : 1); which++, channel += BUMP_HALF) {
+            const int16_t(*corner)[3] = (const int16_t(*)[3])samples.corner[which];
+            if (quadratic)
+                quadratic_vector(setup, in, corner, (const int32_t(*)[3])samples.bulge[which], channel);
+            else
+                piece_vectors(setup, in, (const int16_t *const[]){corner[0], corner[1], corner[2]}, channel);
+            for (int axis = 0; axis < 3; axis++)
+                setup->runs_only |= (uint8_t)(channel[axis].exact != 0);
+        }
+    }
+}
+
+void shade_bump_linear(struct shade_setup *setup, const struct shade_input *in)
+{
+    setup_lights(setup, in, 0, BUMP_AVERAGE);
+}
+
+void shade_bump_quadratic(struct shade_setup *setup, const struct shade_input *in)
+{
+    setup_lights(setup, in, 1, BUMP_AVERAGE);
+}
+
+void shade_bump_frames(struct shade_setup *setup, const struct shade_input *in)
+{
+    setup_lights(setup, in, 1, BUMP_FRAME);
+}
+
+void shade_bump_upright(struct shade_setup *setup, const struct shade_input *in)
+{
+    setup_lights(setup, in, 1, BUMP_UPRIGHT);
+}
+
+void shade_bump_normalised(struct shade_setup *setup, const struct shade_input *in)
+{
+    struct corners corners;
+    struct perspective correct;
+    const struct perspective *perspective = USES(USES_PERSPECTIVE) && perspective_setup(&correct, in) ? &correct : 0;
+    const struct surface *s = in->surface;
+    find_corners(in, &corners);
+    plane_setup_quadratic(&setup->plane);
+    setup->runs_only = setup->depth.exact != 0;
+    for (unsigned i = 0; i < s->lights; i++) {
+        struct samples samples;
+        struct channel *channel = setup->bump + BUMP_CHANNELS * i;
+        sample(in, &corners, i, 0, BUMP_AVERAGE, &samples);
+        setup->diffuse_lights |= (uint8_t)(1u << i);
+        setup->specular_lights |= (uint8_t)(s->highlights << i);
+        for (int which = 0; which < (s->highlights ? 2 : 1); which++) {
+            const int16_t(*corner)[3] = (const int16_t(*)[3])samples.corner[which];
+            const int16_t *const corners_of[3] = {corner[0], corner[1], corner[2]};
+            if (perspective)
+                piece_vectors_perspective(setup, in, perspective, corners_of, 0, channel + BUMP_HALF * which);
+            else
+                piece_vectors(setup, in, corners_of, channel + BUMP_HALF * which);
+            square(setup, in, corner, perspective, channel + BUMP_SQUARE + which);
+            for (int axis = 0; axis < 3; axis++)
+                setup->runs_only |= (uint8_t)(channel[BUMP_HALF * which + axis].exact != 0);
+            setup->runs_only |= (uint8_t)(channel[BUMP_SQUARE + which].exact != 0);
+        }
+    }
 }

@@ -15,7 +15,7 @@
 /* A light's channels from bump[BUMP_CHANNELS * light] on: L' and H', Q30, |.| <= 7/6; and their squared lengths. */
 #define BUMP_HALF     3
 #define BUMP_SQUARE   6
-#define BUMP_CHANNELS 8
+#define BUMP_CHANNELS SHADE_BUMP_CHANNELS
 
 /* Where L' and H' in the middle of an edge come from. */
 enum bump_middle {

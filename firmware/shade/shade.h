@@ -23,6 +23,7 @@ struct shade_input {
     int16_t *lights[3];                    /* N.L and N.H, Q14, of the source triangle's corners, in the same turn */
     const struct scene_triangle *triangle; /* the source; its edges stand in `bend` as 2, 1, 0 */
     const struct scene_vertex *vertices;   /* of its mesh */
+    const struct scene_tangent *tangents;  /* likewise, where its material has a bump map */
     const uint16_t (*weight)[3];           /* null: the corners are the source's */
     const struct object_state *object;
     const struct surface *surface;
@@ -41,6 +42,11 @@ struct shade_input {
  * and the place's (phong, overveld, biquadratic). */
 #define SHADE_MAX_CHANNELS (2 * SCENE_MAX_LIGHTS + 1)
 #define SHADE_SQUARE       (2 * SCENE_MAX_LIGHTS) /* duff: the squared length of the normal */
+
+/* bump mapping: for each light L' and H' in the moving frame, Q30, and their squared lengths (shade/bump.h) */
+#define SHADE_BUMP_CHANNELS 8
+#define SHADE_BUMP_LIGHTS   (USES(USES_SEVERAL_LIGHTS) ? SCENE_MAX_LIGHTS : 1)
+#define SHADE_BUMP_ALL      (USES(USES_BUMP) ? SHADE_BUMP_CHANNELS * SHADE_BUMP_LIGHTS : 1)
 
 /*
  * Normals quadratic over the triangle, N = sum ni li - sum bij li lj: component `axis` of corner k, Q14, and the bulges
@@ -97,6 +103,7 @@ struct shade_setup {
     struct channel depth;
     union {
         struct channel channel[SHADE_MAX_CHANNELS];
+        struct channel bump[SHADE_BUMP_ALL];
         struct {
             struct channel before_rows[6]; /* the place's among them */
             struct shade_rows rows;
@@ -129,6 +136,11 @@ void shade_phong_perspective(struct shade_setup *setup, const struct shade_input
 void shade_overveld(struct shade_setup *setup, const struct shade_input *in);
 void shade_overveld_scan(struct shade_setup *setup, const struct shade_input *in);
 void shade_biquadratic(struct shade_setup *setup, const struct shade_input *in);
+void shade_bump_linear(struct shade_setup *setup, const struct shade_input *in);
+void shade_bump_quadratic(struct shade_setup *setup, const struct shade_input *in);
+void shade_bump_frames(struct shade_setup *setup, const struct shade_input *in);
+void shade_bump_upright(struct shade_setup *setup, const struct shade_input *in);
+void shade_bump_normalised(struct shade_setup *setup, const struct shade_input *in);
 void shade_biquadratic_perspective(struct shade_setup *setup, const struct shade_input *in);
 
 #endif

@@ -118,7 +118,7 @@ static void add_directions(const struct model_mesh *mesh, const uint32_t *group,
     }
 }
 
-/* At right angles to the normal, and unit. */
+/* False if the tangent lies along the normal. */
 static bool upright(const double normal[3], double tangent[3])
 {
     const double lean = vec_dot(normal, tangent);
@@ -127,23 +127,26 @@ static bool upright(const double normal[3], double tangent[3])
     return vec_length(tangent) > 1e-6 && vec_normalise(tangent);
 }
 
+void tangents_upright(const double normal[3], double tangent[3])
+{
+    bool done = vec_normalise(tangent) && upright(normal, tangent);
+    for (int axis = 0; !done && axis < 3; axis++) { /* one of the three leans less than 55 degrees from the plane */
+        memcpy(tangent, (double[]){axis == 0, axis == 1, axis == 2}, 3 * sizeof *tangent);
+        done = fabs(normal[axis]) < .8 && upright(normal, tangent);
+    }
+}
+
+/* What a vertex without a usable tangent takes. */
 static void finish(struct model_vertex *v, const double sum[3])
 {
     double normal[3], tangent[3];
     memcpy(normal, v->normal, sizeof normal);
-    if (!vec_normalise(normal)) { /* packing takes the face's: a frame of any turn about the pole */
+    if (!vec_normalise(normal)) /* packing takes the face's, and turns the tangent again */
         memcpy(normal, (double[]){0, 0, 1}, sizeof normal);
-    }
     memcpy(tangent, v->tangent, sizeof tangent);
-    bool done = vec_normalise(tangent) && upright(normal, tangent);
-    if (!done) {
+    if (!vec_normalise(tangent) || !upright(normal, tangent))
         memcpy(tangent, sum, sizeof tangent);
-        done = vec_normalise(tangent) && upright(normal, tangent);
-    }
-    for (int axis = 0; !done; axis++) { /* one of the three leans less than 55 degrees from the tangent plane */
-        memcpy(tangent, (double[]){axis == 0, axis == 1, axis == 2}, sizeof tangent);
-        done = fabs(normal[axis]) < .8 && upright(normal, tangent);
-    }
+    tangents_upright(normal, tangent);
     memcpy(v->tangent, tangent, sizeof tangent);
 }
 

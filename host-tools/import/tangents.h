@@ -15,4 +15,7 @@
  * two. Where texture coordinates leave T open it is any. */
 void tangents_make(struct model_mesh *mesh);
 
+/* Turns a tangent to a right angle with a unit normal, and makes it unit: any other if it lies along the normal. */
+void tangents_upright(const double normal[3], double tangent[3]);
+
 #endif
