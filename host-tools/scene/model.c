@@ -141,6 +141,7 @@ void model_free(struct model *model)
     for (size_t i = 0; i < model->texture_count; i++) {
         free(model->textures[i].name);
         free(model->textures[i].rgb);
+        free(model->textures[i].normals);
     }
     free(model->textures);
     free(model->meshes);

@@ -51,7 +51,8 @@ struct model_texture {
     int format; /* enum scene_texture_format */
     bool bilinear, clamp[2];
     unsigned width, height;
-    uint8_t *rgb; /* top row first */
+    uint8_t *rgb;         /* top row first */
+    double (*normals)[3]; /* of TEXTURE_BUMP8 instead, unit */
 };
 
 struct model_fog {
