@@ -121,6 +121,10 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     in->object = object;
     in->triangle = triangle;
     in->vertices = scene_at(f->scene, object->mesh->vertices);
+    if (USES(USES_BUMP)) {
+        in->tangents = scene_at(f->scene, object->mesh->tangents);
+        in->uvs = scene_at(f->scene, object->mesh->uvs);
+    }
     in->weight = 0;
     /* Once a triangle and worth unrolling. */
     const uint32_t stride = f->vertex_stride;

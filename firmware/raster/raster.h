@@ -122,9 +122,9 @@ struct glint_method {
 uint32_t draw_gouraud(struct raster *r, struct edges *e);
 uint32_t draw_color6(struct raster *r, struct edges *e);
 
-/* 1 / W of n pixels, and the reciprocal length of their normals (SHADE_SQUARE), into r->divisor. */
+/* 1 / W of n pixels, and the reciprocal length of vectors whose squared length a channel holds, into r->divisor. */
 void raster_divisors(struct raster *r, int x, int y, int n);
-void raster_lengths(struct raster *r, int x, int y, int n);
+void raster_lengths(struct raster *r, const struct channel *square, int x, int y, int n);
 
 /* What methods with channels of N.L and N.H draw with. */
 uint32_t raster_draw_dots(struct raster *r, struct edges *e);

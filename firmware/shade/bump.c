@@ -180,17 +180,25 @@ static inline __attribute__((always_inline)) void setup_lights(struct shade_setu
     struct corners corners;
     const struct surface *s = in->surface;
     find_corners(in, &corners);
+    for (int c = 0; c < 2; c++) { /*TEMP*/
+        int32_t v[3];
+        for (int k = 0; k < 3; k++)
+            v[k] = in->uvs[in->triangle->corner[SHADE_TURN(k)]][c];
+        if (in->weight)
+            piece_linear(in->weight, v);
+        plane_linear(&setup->plane, v, &setup->uv[c]);
+    }
     if (quadratic)
         plane_setup_quadratic(&setup->plane);
     setup->quadratic = (uint8_t)quadratic;
     setup->runs_only = setup->depth.exact != 0;
-    for (unsigned i = 0; i < s->lights; i++) {
+    for (unsigned i = 0; i < surface_lights(s); i++) {
         struct samples samples;
         struct channel *channel = setup->bump + BUMP_CHANNELS * i;
         sample(in, &corners, i, quadratic, middle, &samples);
         setup->diffuse_lights |= (uint8_t)(1u << i);
-        setup->specular_lights |= (uint8_t)(s->highlights << i);
-        for (int which = 0; which < (s->highlights ? 2 : 1); which++, channel += BUMP_HALF) {
+        setup->specular_lights |= (uint8_t)((unsigned)surface_highlights(s) << i);
+        for (int which = 0; which < (surface_highlights(s) ? 2 : 1); which++, channel += BUMP_HALF) {
             const int16_t(*corner)[3] = (const int16_t(*)[3])samples.corner[which];
             if (quadratic)
                 quadratic_vector(setup, in, corner, (const int32_t(*)[3])samples.bulge[which], channel);
@@ -229,15 +237,23 @@ void shade_bump_normalised(struct shade_setup *setup, const struct shade_input *
     const struct perspective *perspective = USES(USES_PERSPECTIVE) && perspective_setup(&correct, in) ? &correct : 0;
     const struct surface *s = in->surface;
     find_corners(in, &corners);
+    for (int c = 0; c < 2; c++) { /*TEMP*/
+        int32_t v[3];
+        for (int k = 0; k < 3; k++)
+            v[k] = in->uvs[in->triangle->corner[SHADE_TURN(k)]][c];
+        if (in->weight)
+            piece_linear(in->weight, v);
+        plane_linear(&setup->plane, v, &setup->uv[c]);
+    }
     plane_setup_quadratic(&setup->plane);
     setup->runs_only = setup->depth.exact != 0;
-    for (unsigned i = 0; i < s->lights; i++) {
+    for (unsigned i = 0; i < surface_lights(s); i++) {
         struct samples samples;
         struct channel *channel = setup->bump + BUMP_CHANNELS * i;
         sample(in, &corners, i, 0, BUMP_AVERAGE, &samples);
         setup->diffuse_lights |= (uint8_t)(1u << i);
-        setup->specular_lights |= (uint8_t)(s->highlights << i);
-        for (int which = 0; which < (s->highlights ? 2 : 1); which++) {
+        setup->specular_lights |= (uint8_t)((unsigned)surface_highlights(s) << i);
+        for (int which = 0; which < (surface_highlights(s) ? 2 : 1); which++) {
             const int16_t(*corner)[3] = (const int16_t(*)[3])samples.corner[which];
             const int16_t *const corners_of[3] = {corner[0], corner[1], corner[2]};
             if (perspective)

@@ -23,8 +23,9 @@ struct shade_input {
     int16_t *lights[3];                    /* N.L and N.H, Q14, of the source triangle's corners, in the same turn */
     const struct scene_triangle *triangle; /* the source; its edges stand in `bend` as 2, 1, 0 */
     const struct scene_vertex *vertices;   /* of its mesh */
-    const struct scene_tangent *tangents;  /* likewise, where its material has a bump map */
-    const uint16_t (*weight)[3];           /* null: the corners are the source's */
+    const int16_t (*uvs)[2];
+    const struct scene_tangent *tangents; /* likewise, where its material has a bump map */
+    const uint16_t (*weight)[3];          /* null: the corners are the source's */
     const struct object_state *object;
     const struct surface *surface;
     uint16_t (
@@ -101,6 +102,7 @@ struct shade_setup {
     };
     struct plane plane;
     struct channel depth;
+    struct channel uv[2];
     union {
         struct channel channel[SHADE_MAX_CHANNELS];
         struct channel bump[SHADE_BUMP_ALL];
