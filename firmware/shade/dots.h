@@ -9,8 +9,8 @@
 #ifndef GLINT_DOTS_H
 #define GLINT_DOTS_H
 
-#include "plan/bounds.h"
 #include "shade/perspective.h"
+#include "shade/steps.h"
 
 /* A triangle's length factors of the edges 0-1, 1-2, 2-0, and what a channel's value is at most multiplied by later on;
  * Q16, 2^16..2^20. */
@@ -18,6 +18,7 @@ struct dots_factors {
     uint32_t edge[3];
     uint32_t stretch;
     int are_dots; /* the channels hold the dot products themselves */
+    int folds;    /* N.L may count in steps of the output (shade/steps.h) */
 };
 
 /* Samples of one light: N.L and N.H at the corners, and (Ni + Nj).V at the middles of the edges; Q14. */
@@ -52,7 +53,7 @@ static inline uint32_t dots_highlight_slack(const struct surface *s, unsigned li
     return surface_diffuse(change, s->light[light].specular_most) >> 7;
 }
 
-/* N.H's place in the power's table beyond [-2, 2), for loops whose clamps are by sign (raster/pixels.h); 256 for the
+/* N.H's place in the power's table beyond [-2, 2), for loops whose clamps are by sign (raster/spans.h); 256 for the
  * roundings. */
 static inline int dots_wide(const struct fx_power *power, struct bounds range, int32_t bend)
 {
@@ -68,12 +69,12 @@ static inline __attribute__((always_inline)) int dots_show(struct shade_setup *s
                                                            int32_t bend, int form, uint32_t *error)
 {
     const struct surface *s = in->surface;
-    int32_t top = range.high + bend, floor = highlight && !form ? bounds_power_floor(s->power) : 1;
+    int32_t top = range.high + bend, floor = highlight && !form ? s->floor : 1;
     int deep = highlight && range.low - bend - floor < -32768 + 256; /* less the floor, it may pass -2 in Q30 */
     *error = 0; /* steps in Q8 at full intensity times a Q14 bend: below 2^16 * 2^16 */
     if (top < floor && (!in->no_plan || deep))
         return 0;
-    if (FX_NARROW && highlight)
+    if (highlight && USES(USES_FORMATS & ~USES_GREY4))
         setup->wide |= (uint8_t)dots_wide(s->power, range, bend);
     if (top < floor)
         return 1;

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "shade/surface.h"
 
+#include "plan/bounds.h"
+
 /* Product of two Q15 numbers of at most 1, rounded. */
 static uint32_t times(uint32_t a, uint32_t b)
 {
@@ -83,6 +85,24 @@ FX_COLD void surface_setup(struct surface *surface, const struct scene_header *s
             reflected(palette, material->specular, material->ks, light[i].colour, surface->light[i].specular);
         surface->highlights |= surface->light[i].specular_most != 0;
     }
+    surface->floor = (int16_t)bounds_power_floor(surface->power);
+    surface->fold = surface->ambient = 0;
+    if (USES(USES_GREY8) && palette->channels == 1 && palette->top[0] == 255 && surface->lights == 1 &&
+        !surface_form(surface)) {
+        surface->fold = surface->light[0].diffuse[0];
+        surface->ambient = (uint16_t)((surface->base[0] >> 8) + (1 << 6));
+    }
+}
+
+FX_COLD int16_t surface_floor(const struct surface *surface, uint32_t part_q8)
+{
+    uint32_t most = 0, step = 0;
+    for (unsigned i = 0; i < surface->lights; i++)
+        most += surface->light[i].specular_most; /* Q8 steps at a power of 2^15: below 8 * 2^16 */
+    /* the power never falls, and between the table's steps it is linear */
+    while (step < FX_POWER_STEPS && (uint64_t)surface->power->value[step + 1] * most < (uint64_t)part_q8 << 15)
+        step++;
+    return (int16_t)((1 << 14) - ((FX_POWER_STEPS - step) << 7 >> surface->power->octave));
 }
 
 void surface_shade(const struct surface *surface, const int16_t *lights_q14, uint32_t *out)

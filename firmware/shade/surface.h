@@ -30,6 +30,10 @@ struct surface {
     uint8_t channels, lights;
     uint8_t bend_limit; /* a bend that moves a channel by less is left out: half a step over all lights, Q8 */
     uint8_t highlights; /* some channel of `specular` is not 0 */
+    int16_t floor;      /* of N.H, Q14: below it a highlight is not seen; the foot of the power, see surface_floor() */
+    /* 8-bit grey under one light (shade/steps.h), else 0: diffuse light in Q16 of 256 steps, and the ambient part with
+     * the rounding half, Q7 steps */
+    uint16_t fold, ambient;
     uint32_t base[3];   /* ambient part, Q15 steps, at most 255 * 2^15 */
     uint32_t top[3];    /* full intensity, Q15 steps */
     struct {
@@ -60,9 +64,17 @@ static inline const struct glint_power *surface_form(const struct surface *s)
 {
     return USES(USES_POWERS) ? s->form : 0;
 }
+static inline uint32_t surface_fold(const struct surface *s)
+{
+    return USES(USES_GREY8) ? s->fold : 0;
+}
 
 void surface_setup(struct surface *surface, const struct scene_header *scene, const struct scene_material *material,
                    const struct palette *palette);
+
+/* The N.H, Q14, below which the highlights of all lights together stay below `part` of a step, Q8; at least the foot of
+ * the power, below which there is none. */
+int16_t surface_floor(const struct surface *surface, uint32_t part_q8);
 
 /* A colour of the scene in Q15 steps; `out` has 3 entries, of a grey palette the others 0. */
 void surface_colour(const struct palette *palette, const uint16_t rgb_q15[3], uint32_t *out);

@@ -2,17 +2,19 @@
 /*
  * Draws the common benchmark (320x240, RGB565, 16-bit depth, clear included) and counts instructions.
  *   bench                                every scene, principal method and band count: one CSV line each
- *   bench grey8                          every scene by every method, one frame in 8-bit grey at the camera's size
+ *   bench grey8|rgb888 [METHOD...]       every scene by every method, or those, one frame at the camera's size, with
+ *                                        tables; the last number is the picture's, the same on every CPU
  *   bench power                          the first scene by x, likewise, with each form and some exponents of the
  *                                        highlight's power
- *   bench SCENE METHOD BANDS TABLES N    one of them, N frames, nothing printed: for profilers, which look at the calls
+ *   bench SCENE METHOD BANDS TABLES N [grey8|rgb888]
+ *                                        one of them, N frames, nothing printed: for profilers, which look at the calls
  *                                        of bench_frame()
  */
 #include "scene/scene.h"
 #include "tests/device/program.h"
 
 #define MEMORY         (1536u * 1024u)
-#define BAND           (320u * 240u * 2u) /* bytes */
+#define BAND           (320u * 240u * 3u) /* bytes */
 #define BLOB           (128u * 1024u)     /* bytes: a scene whose exponents are changed */
 #define COUNT(array)   (sizeof array / sizeof array[0])
 #define CALIBRATE_TURN 1000000u
@@ -84,10 +86,10 @@ static int bench_complain(const char *scene, const char *method, int error)
 
 /* The cost of one frame that holds every triangle. */
 static int bench_cost(const void *blob, const struct glint_choice *method, const struct glint_power *power,
-                      struct glint_config *config, uint32_t *instructions)
+                      enum glint_format format, struct glint_config *config, uint32_t *instructions)
 {
     struct glint_frame frame;
-    int error = bench_init(&frame, config, blob, method, power, GLINT_GREY8, 1, 0);
+    int error = bench_init(&frame, config, blob, method, power, format, 1, 4);
     program_count_start();
     if (error == 0)
         error = bench_frame(&frame, blob, 0);
@@ -95,11 +97,19 @@ static int bench_cost(const void *blob, const struct glint_choice *method, const
     return error == 0 && frame.stats.dropped ? GLINT_E_MEMORY : error;
 }
 
-static int bench_grey(const struct program_scene *scene, const struct glint_choice *method)
+static uint32_t bench_hash(const struct glint_config *config)
+{
+    uint32_t hash = 2166136261u;
+    for (uint32_t i = 0; i < glint_band_bytes(config); i++)
+        hash = (hash ^ ((const uint8_t *)bench_band)[i]) * 16777619u;
+    return hash;
+}
+
+static int bench_whole(const struct program_scene *scene, const struct glint_choice *method, enum glint_format format)
 {
     struct glint_config config;
     uint32_t instructions;
-    int error = bench_cost(scene->blob, method, 0, &config, &instructions);
+    int error = bench_cost(scene->blob, method, 0, format, &config, &instructions);
     if (error != 0)
         return bench_complain(scene->name, method->name, error);
     struct line line = {.length = 0};
@@ -110,8 +120,10 @@ static int bench_grey(const struct program_scene *scene, const struct glint_choi
     line_decimal(&line, config.width);
     line_text(&line, ",");
     line_decimal(&line, config.height);
-    line_text(&line, ",grey8,");
+    line_text(&line, format == GLINT_GREY8 ? ",grey8," : ",rgb888,");
     line_decimal(&line, instructions);
+    line_text(&line, ",");
+    line_hex(&line, bench_hash(&config));
     line_end(&line);
     return 0;
 }
@@ -139,7 +151,7 @@ static int bench_power(const struct program_scene *scene, unsigned exponent, uns
     uint32_t instructions = 0;
     int error = *scene->length > sizeof bench_blob ? GLINT_E_MEMORY : 0;
     if (error == 0)
-        error = bench_cost(bench_sharpen(scene, exponent), &x, powers[form].power, &config, &instructions);
+        error = bench_cost(bench_sharpen(scene, exponent), &x, powers[form].power, GLINT_GREY8, &config, &instructions);
     if (error != 0)
         return bench_complain(scene->name, powers[form].name, error);
     struct line line = {.length = 0};
@@ -204,11 +216,25 @@ static void bench_calibrate(void)
 #endif
 }
 
+/* Whether a method is among those named, or none is. */
+static int bench_asked(const char *method, int argc, char **argv)
+{
+    int asked = argc == 2;
+    for (int i = 2; i < argc; i++)
+        asked |= text_equal(argv[i], method);
+    return asked;
+}
+
+static enum glint_format bench_format(const char *name)
+{
+    return !name ? GLINT_RGB565 : text_equal(name, "grey8") ? GLINT_GREY8 : GLINT_RGB888;
+}
+
 static int bench_run(const struct program_scene *scene, const struct glint_choice *method, char **argv)
 {
     struct glint_config config;
     struct glint_frame frame;
-    if (bench_init(&frame, &config, scene->blob, method, 0, GLINT_RGB565, text_number(argv[3]),
+    if (bench_init(&frame, &config, scene->blob, method, 0, bench_format(argv[6]), text_number(argv[3]),
                    (uint8_t)text_number(argv[4])) != 0)
         return 1;
     for (uint32_t i = text_number(argv[5]); i; i--)
@@ -220,10 +246,12 @@ static int bench_run(const struct program_scene *scene, const struct glint_choic
 int program_main(int argc, char **argv)
 {
     int bad = 0;
-    if (argc == 2 && text_equal(argv[1], "grey8")) {
+    if (argc >= 2 && (text_equal(argv[1], "grey8") || text_equal(argv[1], "rgb888"))) {
+        const enum glint_format format = bench_format(argv[1]);
         for (unsigned s = 0; s < program_scene_count; s++)
             for (unsigned m = 0; m < glint_choice_count; m++)
-                bad |= bench_grey(&program_scenes[s], &glint_choices[m]);
+                if (bench_asked(glint_choices[m].name, argc, argv))
+                    bad |= bench_whole(&program_scenes[s], &glint_choices[m], format);
         return bad;
     }
     if (argc == 2 && text_equal(argv[1], "power")) {
