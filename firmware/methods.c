@@ -28,6 +28,7 @@ const struct glint_choice glint_choices[] = {
     {"subdivide-highlight", &glint_subdivide_highlight},
     {"subdivide-hybrid", &glint_hybrid_phong},
     {"subdivide-hybrid-x", &glint_hybrid_x},
+    {"auto", &glint_auto},
 };
 
 const unsigned glint_choice_count = sizeof glint_choices / sizeof *glint_choices;
@@ -46,4 +47,7 @@ const char *const glint_method_names[GLINT_METHODS] = {
     [GLINT_BUMP_LINEAR] = "bump-linear",
     [GLINT_BUMP_QUADRATIC] = "bump-quadratic",
     [GLINT_BUMP_NORMALISED] = "bump-normalised",
+    [GLINT_DARK] = "dark",
+    [GLINT_CONSTANT] = "constant",
+    [GLINT_LINEAR] = "linear",
 };

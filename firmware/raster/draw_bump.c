@@ -108,29 +108,29 @@ static uint32_t draw_normalised(struct raster *r, struct edges *e)
 }
 
 /* A material without a map is drawn by the method that interpolates the same way. */
-static const struct glint_method *choose_linear(const struct shade_input *in)
+static const struct glint_method *choose_linear(struct raster *r)
 {
-    return surface_bumps(in->surface) ? &glint_bump_linear : &glint_x;
+    return surface_bumps(&r->surface) ? &glint_bump_linear : &glint_x;
 }
 
-static const struct glint_method *choose_quadratic(const struct shade_input *in)
+static const struct glint_method *choose_quadratic(struct raster *r)
 {
-    return surface_bumps(in->surface) ? &glint_bump_quadratic : &glint_six;
+    return surface_bumps(&r->surface) ? &glint_bump_quadratic : &glint_six;
 }
 
-static const struct glint_method *choose_frames(const struct shade_input *in)
+static const struct glint_method *choose_frames(struct raster *r)
 {
-    return surface_bumps(in->surface) ? &glint_bump_frames : &glint_six;
+    return surface_bumps(&r->surface) ? &glint_bump_frames : &glint_six;
 }
 
-static const struct glint_method *choose_upright(const struct shade_input *in)
+static const struct glint_method *choose_upright(struct raster *r)
 {
-    return surface_bumps(in->surface) ? &glint_bump_upright : &glint_six;
+    return surface_bumps(&r->surface) ? &glint_bump_upright : &glint_six;
 }
 
-static const struct glint_method *choose_normalised(const struct shade_input *in)
+static const struct glint_method *choose_normalised(struct raster *r)
 {
-    return surface_bumps(in->surface) ? &glint_bump_normalised : &glint_duff;
+    return surface_bumps(&r->surface) ? &glint_bump_normalised : &glint_duff;
 }
 
 const struct glint_method glint_bump_linear = {GLINT_BUMP_LINEAR, 0, 0, shade_bump_linear, draw_plain, 0,

@@ -153,9 +153,9 @@ static uint32_t draw(struct raster *r, struct edges *e)
 
 static const struct glint_method split_at_highlight = {GLINT_SUBDIVIDE, 0, 0, shade_gouraud, draw, 0, 0};
 
-static const struct glint_method *choose(const struct shade_input *in)
+static const struct glint_method *choose(struct raster *r)
 {
-    return adaptive_treats(in) ? &split_at_highlight : &glint_gouraud;
+    return adaptive_treats(&r->input) ? &split_at_highlight : &glint_gouraud;
 }
 
 const struct glint_method glint_subdivide_highlight = {GLINT_SUBDIVIDE,  0,     ADAPTIVE_WORDS, shade_gouraud, draw,

@@ -131,9 +131,9 @@ const struct glint_method glint_subdivide_centre = {GLINT_SUBDIVIDE, 0, COLOUR_W
 /* What the adaptive one splits. */
 static const struct glint_method split_by_size = {GLINT_SUBDIVIDE, 0, 0, shade_gouraud, draw_by_size, 0, 0};
 
-static const struct glint_method *choose(const struct shade_input *in)
+static const struct glint_method *choose(struct raster *r)
 {
-    return adaptive_treats(in) ? &split_by_size : &glint_gouraud;
+    return adaptive_treats(&r->input) ? &split_by_size : &glint_gouraud;
 }
 
 const struct glint_method glint_subdivide_regular = {

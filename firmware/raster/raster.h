@@ -56,6 +56,7 @@ struct raster {
     uint16_t *depth; /* of the band, width a row */
     struct palette palette;
     struct surface surface;
+    uint16_t budget;                          /* of auto, Q8 of 1/255 */
     uint16_t surface_material;                /* which one `surface` holds; 0xffff: none */
     const struct table *surface_table; /* made for `surface`; null: none, or not looked for yet */
     void *table;                       /* one for each of the first r->tables materials, table_bytes() each */
@@ -119,8 +120,8 @@ struct glint_method {
     /* Null, or called when a frame begins with each object's vertex records, `stride` int16_t apart, placed and lit. */
     void (*object)(const struct object_state *object, const struct scene_header *scene, int16_t *records,
                    unsigned stride, struct glint_stats *stats);
-    /* Null, or which method a triangle is drawn by, which it is counted under: this one or a plainer. */
-    const struct glint_method *(*choose)(const struct shade_input *in);
+    /* Null, or which method the triangle in hand is drawn by, which it is counted under: this one or a plainer. */
+    const struct glint_method *(*choose)(struct raster *r);
 };
 
 /* These methods' draw. flat's is of r->setup.flat. */

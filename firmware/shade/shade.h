@@ -3,6 +3,7 @@
 #ifndef GLINT_SHADE_H
 #define GLINT_SHADE_H
 
+#include "plan/plan.h"
 #include "shade/plane.h"
 #include "shade/surface.h"
 
@@ -30,6 +31,7 @@ struct shade_input {
     const struct surface *surface;
     uint16_t (
         *colours)[COLOUR_WORDS]; /* for finished colours; null: they are kept with the vertices, one CPU's alone */
+    struct shade_plan plan;      /* glint_auto: what this triangle takes */
     uint8_t divides;             /* the view is a perspective one */
     uint8_t no_plan;             /* keep effects that cannot show */
     uint8_t tabled;              /* a table holds the material's power, of N.H itself */
@@ -134,6 +136,8 @@ static inline unsigned shade_specular(const struct shade_setup *setup)
 /* Each fills the channels it needs; plane and depth are done. */
 void shade_flat(struct shade_setup *setup, const struct shade_input *in);
 void shade_gouraud(struct shade_setup *setup, const struct shade_input *in);
+void shade_planned(struct shade_setup *setup, const struct shade_input *in); /* linear and six, as in->plan says */
+void shade_constant(struct shade_setup *setup, const struct shade_input *in);
 void shade_x(struct shade_setup *setup, const struct shade_input *in);
 void shade_x_perspective(struct shade_setup *setup, const struct shade_input *in);
 void shade_six(struct shade_setup *setup, const struct shade_input *in);

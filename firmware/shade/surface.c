@@ -66,6 +66,7 @@ FX_COLD void surface_setup(struct surface *surface, const struct scene_header *s
     static const uint8_t limit[SCENE_MAX_LIGHTS + 1] = {128, 128, 64, 42, 32, 25, 21, 18, 16}; /* 128 / lights */
     uint32_t rgb[3];
     surface->power = scene_powers(scene) + material->power;
+    surface->plan.power = 0;
     surface->channels = palette->channels;
     if (USES(USES_BUMP))
         find_bump(&surface->bump, scene, material->bump);
@@ -103,6 +104,39 @@ FX_COLD int16_t surface_floor(const struct surface *surface, uint32_t part_q8)
     while (step < FX_POWER_STEPS && (uint64_t)surface->power->value[step + 1] * most < (uint64_t)part_q8 << 15)
         step++;
     return (int16_t)((1 << 14) - ((FX_POWER_STEPS - step) << 7 >> surface->power->octave));
+}
+
+/* Steps of a channel's output (Q8) in 1/255 of full intensity, rounded up; at most 255 and a little. */
+static uint32_t in_255(uint32_t steps, unsigned top)
+{
+    return (steps * 255 + top - 1) / top; /* below 2^24 */
+}
+
+FX_COLD void surface_plan(struct surface *surface, const struct palette *palette, uint16_t budget)
+{
+    struct plan_surface *plan = &surface->plan;
+    uint32_t base = 0;
+    plan->power = surface->power;
+    plan->budget = budget;
+    plan->lights = surface->lights;
+    plan->highlights = surface->highlights;
+    plan->foot = (int16_t)((1 << 14) - ((1 << 14) >> surface->power->octave));
+    for (unsigned c = 0; c < surface->channels; c++) {
+        const uint32_t ambient = in_255(surface->base[c] >> 7, palette->top[c]);
+        base = ambient > base ? ambient : base;
+    }
+    plan->full = (uint16_t)(base < 255u << 8 ? (255u << 8) - base : 0);
+    for (unsigned i = 0; i < surface->lights; i++) {
+        uint32_t diffuse = 0, specular = 0;
+        for (unsigned c = 0; c < surface->channels; c++) {
+            const uint32_t d = in_255(surface->light[i].diffuse[c], palette->top[c]),
+                           h = in_255(surface->light[i].specular[c], palette->top[c]);
+            diffuse = d > diffuse ? d : diffuse;
+            specular = h > specular ? h : specular;
+        }
+        plan->light[i].diffuse = (uint16_t)diffuse;
+        plan->light[i].specular = (uint16_t)specular;
+    }
 }
 
 void surface_shade(const struct surface *surface, const int16_t *lights_q14, uint32_t *out)

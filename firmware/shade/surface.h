@@ -6,7 +6,7 @@
 #ifndef GLINT_SURFACE_H
 #define GLINT_SURFACE_H
 
-#include "geometry/object.h"
+#include "plan/plan.h"
 #include "shade/power.h"
 
 /* The output's channels: 1 (grey) or 3, and the largest value of each. */
@@ -41,6 +41,7 @@ struct surface {
         uint16_t diffuse_most, specular_most; /* the largest of each */
     } light[SCENE_MAX_LIGHTS];
     struct surface_bump bump;
+    struct plan_surface plan; /* glint_auto's; its power is null until surface_plan() has filled it */
 };
 
 /* Of them, what a program for given scenes and formats knows at once. */
@@ -71,6 +72,9 @@ static inline uint32_t surface_fold(const struct surface *s)
 
 void surface_setup(struct surface *surface, const struct scene_header *scene, const struct scene_material *material,
                    const struct palette *palette);
+
+/* Fills surface->plan of a surface that is set up, for a budget in Q8 of 1/255. */
+void surface_plan(struct surface *surface, const struct palette *palette, uint16_t budget);
 
 /* The N.H, Q14, below which the highlights of all lights together stay below `part` of a step, Q8; at least the foot of
  * the power, below which there is none. */
