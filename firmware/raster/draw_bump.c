@@ -99,11 +99,15 @@ static void run_normalised(struct raster *r, int x, int y, int n)
 
 static uint32_t draw_plain(struct raster *r, struct edges *e)
 {
+    if (USES(USES_GREY8) && r->setup.in_steps)
+        return bump_grey(r, e);
     return runs_draw(r, e, run_plain);
 }
 
 static uint32_t draw_normalised(struct raster *r, struct edges *e)
 {
+    if (USES(USES_GREY8) && r->setup.in_steps)
+        return bump_grey(r, e);
     return runs_draw(r, e, run_normalised);
 }
 
@@ -133,13 +137,13 @@ static const struct glint_method *choose_normalised(struct raster *r)
     return surface_bumps(&r->surface) ? &glint_bump_normalised : &glint_duff;
 }
 
-const struct glint_method glint_bump_linear = {GLINT_BUMP_LINEAR, 0, 0, shade_bump_linear, draw_plain, 0,
+const struct glint_method glint_bump_linear = {GLINT_BUMP_LINEAR, 1, 0, shade_bump_linear, draw_plain, 0,
                                                choose_linear};
-const struct glint_method glint_bump_quadratic = {GLINT_BUMP_QUADRATIC, 0, 0, shade_bump_quadratic, draw_plain, 0,
+const struct glint_method glint_bump_quadratic = {GLINT_BUMP_QUADRATIC, 1, 0, shade_bump_quadratic, draw_plain, 0,
                                                   choose_quadratic};
-const struct glint_method glint_bump_frames = {GLINT_BUMP_QUADRATIC, 0, 0, shade_bump_frames, draw_plain, 0,
+const struct glint_method glint_bump_frames = {GLINT_BUMP_QUADRATIC, 1, 0, shade_bump_frames, draw_plain, 0,
                                                choose_frames};
-const struct glint_method glint_bump_upright = {GLINT_BUMP_QUADRATIC, 0, 0, shade_bump_upright, draw_plain, 0,
+const struct glint_method glint_bump_upright = {GLINT_BUMP_QUADRATIC, 1, 0, shade_bump_upright, draw_plain, 0,
                                                 choose_upright};
 const struct glint_method glint_bump_normalised = {
-    GLINT_BUMP_NORMALISED, 0, 0, shade_bump_normalised, draw_normalised, 0, choose_normalised};
+    GLINT_BUMP_NORMALISED, 1, 0, shade_bump_normalised, draw_normalised, 0, choose_normalised};

@@ -135,6 +135,30 @@ static inline __attribute__((always_inline)) void sample(const struct shade_inpu
     }
 }
 
+/* Whether the triangle is drawn straight into 8-bit grey (raster/bump_grey.c). */
+static int is_straight(const struct shade_setup *setup, const struct shade_input *in)
+{
+    const struct surface *s = in->surface;
+    return surface_fold(s) && in->tabled && !setup->plane.sliver && !setup->plane.slim &&
+           !(s->bump.flags & (TEXTURE_CLAMP_U | TEXTURE_CLAMP_V));
+}
+
+/* For that, L' times the material's diffuse light, and x and y of L' and H' times the map's steepness; Q15 factors. */
+static void fold(const struct surface *s, struct samples *samples, int quadratic)
+{
+    for (int which = 0; which < 2; which++)
+        for (int axis = 0; axis < 3; axis++) {
+            const uint32_t light = which ? 1u << 15 : surface_fold(s) >> 1;
+            const int32_t factor = (int32_t)(axis < 2 ? light * s->bump.steepness >> 14 : light); /* at most 2^15 */
+            for (int k = 0; k < 3; k++) {
+                int16_t *value = &samples->corner[which][k][axis];
+                *value = (int16_t)((*value * factor + (1 << 14)) >> 15);
+                if (quadratic)
+                    samples->bulge[which][k][axis] = fx_mulhi_s32(samples->bulge[which][k][axis], factor << 15) * 4;
+            }
+        }
+}
+
 /* The three components as quadratic channels. */
 static void quadratic_vector(struct shade_setup *setup, const struct shade_input *in, const int16_t (*corner)[3],
                              const int32_t (*edge)[3], struct channel *out)
@@ -151,26 +175,47 @@ static void quadratic_vector(struct shade_setup *setup, const struct shade_input
     }
 }
 
-/* |sum Vi li|^2 = 1 - 4 sum kij li lj of unit vectors, kij = (1 - Vi.Vj) / 2: corner values 1 and bulges 4 kij
- * (FORMULAS of Duff's denominator: eq. 36-42 with f = C.C). */
-static void square(struct shade_setup *setup, const struct shade_input *in, const int16_t (*corner)[3],
-                   const struct perspective *perspective, struct channel *out)
+/* |sum Vi li|^2 = 1 - sum aij li lj of unit vectors, aij = |Vi - Vj|^2 = 4 kij: corner values 1, bulges aij (Duff's
+ * denominator: eq. 36-42 with f = C.C). Returns the largest of them, Q28. */
+static int32_t square_bulges(const int16_t (*corner)[3], int32_t bulge[3])
 {
-    int32_t value[3], bulge[3];
+    int32_t most = 0;
     for (int k = 0; k < 3; k++) {
         const int16_t *a = corner[k], *b = corner[k == 2 ? 0 : k + 1];
-        int32_t difference = 0; /* |a - b|^2 = 4 k, at most 4 (1 + 2^-7): within 2^30 (1 + 2^-7) in Q28 */
-        for (int i = 0; i < 3; i++)
-            difference += (a[i] - b[i]) * (a[i] - b[i]);
-        value[k] = Q14(1, 1);
-        bulge[k] = difference;
+        bulge[k] = 0;
+        for (int i = 0; i < 3; i++) /* at most 4 (1 + 2^-7) in all */
+            bulge[k] += (a[i] - b[i]) * (a[i] - b[i]);
+        most = bulge[k] > most ? bulge[k] : most;
     }
+    return most;
+}
+
+/* The square; setup->length: 1 less it. */
+static void square_channel(struct shade_setup *setup, const struct shade_input *in, int32_t bulge[3],
+                           const struct perspective *perspective, struct channel *out)
+{
+    const int32_t one = setup->length ? 0 : Q14(1, 1);
+    int32_t value[3] = {one, one, one};
+    for (int k = 0; k < 3 && setup->length; k++)
+        bulge[k] = -bulge[k];
     if (in->weight)
         piece_quadratic(in->weight, value, bulge);
     if (perspective)
         perspective_quadratic(perspective, &setup->plane, value, bulge, out);
     else
         plane_quadratic_large(&setup->plane, value, bulge, out);
+}
+
+static void temp_uv(struct shade_setup *setup, const struct shade_input *in)
+{
+    for (int c = 0; c < 2; c++) { /*TEMP*/
+        int32_t v[3];
+        for (int k = 0; k < 3; k++)
+            v[k] = in->uvs[in->triangle->corner[SHADE_TURN(k)]][c];
+        if (in->weight)
+            piece_linear(in->weight, v);
+        plane_linear(&setup->plane, v, &setup->uv[c]);
+    }
 }
 
 /* Linear, or quadratic through middles of a kind: templates. */
@@ -180,22 +225,17 @@ static inline __attribute__((always_inline)) void setup_lights(struct shade_setu
     struct corners corners;
     const struct surface *s = in->surface;
     find_corners(in, &corners);
-    for (int c = 0; c < 2; c++) { /*TEMP*/
-        int32_t v[3];
-        for (int k = 0; k < 3; k++)
-            v[k] = in->uvs[in->triangle->corner[SHADE_TURN(k)]][c];
-        if (in->weight)
-            piece_linear(in->weight, v);
-        plane_linear(&setup->plane, v, &setup->uv[c]);
-    }
+    temp_uv(setup, in);
     if (quadratic)
         plane_setup_quadratic(&setup->plane);
     setup->quadratic = (uint8_t)quadratic;
-    setup->runs_only = setup->depth.exact != 0;
+    setup->in_steps = (uint8_t)is_straight(setup, in);
     for (unsigned i = 0; i < surface_lights(s); i++) {
         struct samples samples;
         struct channel *channel = setup->bump + BUMP_CHANNELS * i;
         sample(in, &corners, i, quadratic, middle, &samples);
+        if (setup->in_steps)
+            fold(s, &samples, quadratic);
         setup->diffuse_lights |= (uint8_t)(1u << i);
         setup->specular_lights |= (uint8_t)((unsigned)surface_highlights(s) << i);
         for (int which = 0; which < (surface_highlights(s) ? 2 : 1); which++, channel += BUMP_HALF) {
@@ -204,8 +244,6 @@ static inline __attribute__((always_inline)) void setup_lights(struct shade_setu
                 quadratic_vector(setup, in, corner, (const int32_t(*)[3])samples.bulge[which], channel);
             else
                 piece_vectors(setup, in, (const int16_t *const[]){corner[0], corner[1], corner[2]}, channel);
-            for (int axis = 0; axis < 3; axis++)
-                setup->runs_only |= (uint8_t)(channel[axis].exact != 0);
         }
     }
 }
@@ -230,6 +268,10 @@ void shade_bump_upright(struct shade_setup *setup, const struct shade_input *in)
     setup_lights(setup, in, 1, BUMP_UPRIGHT);
 }
 
+/* 1 - |V|^2 = sum aij li lj, sum li lj <= 1/3, must stay below 1/4 for the table of reciprocal lengths, roundings too.
+ */
+#define MOST_BULGE ((int32_t)((1u << 28) * 3 / 4 - (1u << 20)))
+
 void shade_bump_normalised(struct shade_setup *setup, const struct shade_input *in)
 {
     struct corners corners;
@@ -237,33 +279,31 @@ void shade_bump_normalised(struct shade_setup *setup, const struct shade_input *
     const struct perspective *perspective = USES(USES_PERSPECTIVE) && perspective_setup(&correct, in) ? &correct : 0;
     const struct surface *s = in->surface;
     find_corners(in, &corners);
-    for (int c = 0; c < 2; c++) { /*TEMP*/
-        int32_t v[3];
-        for (int k = 0; k < 3; k++)
-            v[k] = in->uvs[in->triangle->corner[SHADE_TURN(k)]][c];
-        if (in->weight)
-            piece_linear(in->weight, v);
-        plane_linear(&setup->plane, v, &setup->uv[c]);
-    }
+    temp_uv(setup, in);
     plane_setup_quadratic(&setup->plane);
-    setup->runs_only = setup->depth.exact != 0;
     for (unsigned i = 0; i < surface_lights(s); i++) {
+        const int count = surface_highlights(s) ? 2 : 1;
         struct samples samples;
+        int32_t bulge[2][3], most = 0;
         struct channel *channel = setup->bump + BUMP_CHANNELS * i;
         sample(in, &corners, i, 0, BUMP_AVERAGE, &samples);
         setup->diffuse_lights |= (uint8_t)(1u << i);
-        setup->specular_lights |= (uint8_t)((unsigned)surface_highlights(s) << i);
-        for (int which = 0; which < (surface_highlights(s) ? 2 : 1); which++) {
+        setup->specular_lights |= (uint8_t)((count == 2) << i);
+        for (int which = 0; which < count; which++) {
+            const int32_t largest = square_bulges((const int16_t(*)[3])samples.corner[which], bulge[which]);
+            most = largest > most ? largest : most;
+        }
+        setup->in_steps = setup->length = !perspective && most < MOST_BULGE && is_straight(setup, in);
+        if (setup->in_steps) /* there is one light */
+            fold(s, &samples, 0);
+        for (int which = 0; which < count; which++) {
             const int16_t(*corner)[3] = (const int16_t(*)[3])samples.corner[which];
-            const int16_t *const corners_of[3] = {corner[0], corner[1], corner[2]};
+            const int16_t *const ends[3] = {corner[0], corner[1], corner[2]};
             if (perspective)
-                piece_vectors_perspective(setup, in, perspective, corners_of, 0, channel + BUMP_HALF * which);
+                piece_vectors_perspective(setup, in, perspective, ends, 0, channel + BUMP_HALF * which);
             else
-                piece_vectors(setup, in, corners_of, channel + BUMP_HALF * which);
-            square(setup, in, corner, perspective, channel + BUMP_SQUARE + which);
-            for (int axis = 0; axis < 3; axis++)
-                setup->runs_only |= (uint8_t)(channel[BUMP_HALF * which + axis].exact != 0);
-            setup->runs_only |= (uint8_t)(channel[BUMP_SQUARE + which].exact != 0);
+                piece_vectors(setup, in, ends, channel + BUMP_HALF * which);
+            square_channel(setup, in, bulge[which], perspective, channel + BUMP_SQUARE + which);
         }
     }
 }
