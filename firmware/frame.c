@@ -2,6 +2,7 @@
 /* A frame from begin to its last band. */
 #include "list.h"
 
+#include "raster/effects.h"
 #include "raster/raster.h"
 
 /* turn: the user's, or null. */
@@ -46,12 +47,15 @@ static void begin_raster(struct raster *r, const struct glint_frame *f)
     r->surface.form = f->config.power;
     r->budget = f->config.budget ? f->config.budget : PLAN_BUDGET;
     r->input.surface = &r->surface;
+    r->gloss = r->sum[0];
+    r->input.texture = f->config.texture ? f->config.texture : GLINT_TEXTURE_PERSPECTIVE;
     r->input.colours = 0;
     r->input.sampled = f->config.power || scene->camera.viewer != VIEWER_INFINITE;
     for (unsigned i = 0; i < scene->light_count; i++)
         r->input.sampled |= scene_lights(scene)[i].kind == LIGHT_POINT;
     r->input.divides = scene->camera.kind == CAMERA_PERSPECTIVE;
     r->input.no_plan = (f->config.flags & GLINT_NO_PLAN) != 0;
+    r->input.every_zigzag = (f->config.flags & GLINT_EVERY_ZIGZAG) != 0;
 }
 
 void glint_turn(struct glint_frame *f, uint16_t yaw, uint16_t pitch)
@@ -112,6 +116,7 @@ static void take_material(struct raster *r, const struct scene_header *scene, un
 {
     r->surface_material = (uint16_t)material;
     surface_setup(&r->surface, scene, scene_materials(scene) + material, &r->palette);
+    effects_surface(r);
     table_find(r);
     r->input.tabled = r->surface_table != 0;
 }
@@ -122,17 +127,18 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     struct raster *r = f->raster;
     struct shade_input *in = &r->input;
     const struct object_state *object = &f->objects[ref->object];
-    const struct clipped_triangle *piece = ref->clipped ? &f->clipped[ref->index] : 0;
+    const struct clipped_triangle *piece = ref->kind & LIST_CLIPPED ? &f->clipped[ref->index] : 0;
     const struct scene_triangle *triangle = scene_at(f->scene, object->mesh->triangles);
     triangle += piece ? piece->source : ref->index;
     in->object = object;
     in->triangle = triangle;
     in->vertices = scene_at(f->scene, object->mesh->vertices);
-    if (USES(USES_BUMP)) {
-        in->tangents = scene_at(f->scene, object->mesh->tangents);
+    if (USES(USES_TEXTURE | USES_BUMP))
         in->uvs = scene_at(f->scene, object->mesh->uvs);
-    }
+    if (USES(USES_BUMP))
+        in->tangents = scene_at(f->scene, object->mesh->tangents);
     in->weight = 0;
+    in->turned = 0;
     /* Once a triangle and worth unrolling. */
     const uint32_t stride = f->vertex_stride;
     int16_t *records = list_record(f, object->first_vertex), *corner = records + triangle->corner[0] * stride;
@@ -144,10 +150,12 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     corner = records + triangle->corner[1] * stride;
     in->place[2] = corner;
     in->lights[2] = corner + VERTEX_LIGHTS;
-    if (piece)
-        gather_piece(r, piece);
     if (r->surface_material != triangle->material)
         take_material(r, f->scene, triangle->material);
+    if (USES(USES_TWO_SIDED) && ref->kind & LIST_TURNED)
+        shade_turn(&r->turned, in, f->config.method->vertex_words);
+    if (piece)
+        gather_piece(r, piece);
 }
 
 static uint32_t bits(unsigned set)
@@ -189,7 +197,7 @@ static void draw_triangle(struct glint_frame *f, const struct triangle_ref *ref)
     plane_linear(&setup->plane, depth, &setup->depth);
     setup->found[0] = setup->found[1] = setup->found[2] = 0;
     method->setup(setup, in);
-    f->stats.pixels[method->id] += method->draw(r, &edges);
+    f->stats.pixels[method->id] += raster_effects(r) ? effects_triangle(r, &edges, method) : method->draw(r, &edges);
     if (ref->first < r->y0)
         return; /* counted with the band above */
     f->stats.drawn[method->id]++;

@@ -46,7 +46,7 @@ static inline __attribute__((always_inline)) void add_diffuse(struct raster *r, 
 static inline __attribute__((always_inline)) void add_highlight(struct raster *r, int n, unsigned l, unsigned channels)
 {
     const struct surface *s = &r->surface;
-    uint32_t *sum = r->sum[0];
+    uint32_t *sum = r->gloss;
     for (int i = 0; i < n; i++, sum += 3) {
         const uint32_t power = surface_power(s, r->value[0][i]);
         if (power)
@@ -137,13 +137,38 @@ static const struct glint_method *choose_normalised(struct raster *r)
     return surface_bumps(&r->surface) ? &glint_bump_normalised : &glint_duff;
 }
 
-const struct glint_method glint_bump_linear = {GLINT_BUMP_LINEAR, 1, 0, shade_bump_linear, draw_plain, 0,
-                                               choose_linear};
-const struct glint_method glint_bump_quadratic = {GLINT_BUMP_QUADRATIC, 1, 0, shade_bump_quadratic, draw_plain, 0,
-                                                  choose_quadratic};
-const struct glint_method glint_bump_frames = {GLINT_BUMP_QUADRATIC, 1, 0, shade_bump_frames, draw_plain, 0,
-                                               choose_frames};
-const struct glint_method glint_bump_upright = {GLINT_BUMP_QUADRATIC, 1, 0, shade_bump_upright, draw_plain, 0,
-                                                choose_upright};
-const struct glint_method glint_bump_normalised = {
-    GLINT_BUMP_NORMALISED, 1, 0, shade_bump_normalised, draw_normalised, 0, choose_normalised};
+const struct glint_method glint_bump_linear = {.id = GLINT_BUMP_LINEAR,
+                                               .uses_tables = 1,
+                                               .setup = shade_bump_linear,
+                                               .draw = draw_plain,
+                                               .choose = choose_linear,
+                                               .run = run_plain,
+                                               .colours = COLOURS_OF_DOTS};
+const struct glint_method glint_bump_quadratic = {.id = GLINT_BUMP_QUADRATIC,
+                                                  .uses_tables = 1,
+                                                  .setup = shade_bump_quadratic,
+                                                  .draw = draw_plain,
+                                                  .choose = choose_quadratic,
+                                                  .run = run_plain,
+                                                  .colours = COLOURS_OF_DOTS};
+const struct glint_method glint_bump_frames = {.id = GLINT_BUMP_QUADRATIC,
+                                               .uses_tables = 1,
+                                               .setup = shade_bump_frames,
+                                               .draw = draw_plain,
+                                               .choose = choose_frames,
+                                               .run = run_plain,
+                                               .colours = COLOURS_OF_DOTS};
+const struct glint_method glint_bump_upright = {.id = GLINT_BUMP_QUADRATIC,
+                                                .uses_tables = 1,
+                                                .setup = shade_bump_upright,
+                                                .draw = draw_plain,
+                                                .choose = choose_upright,
+                                                .run = run_plain,
+                                                .colours = COLOURS_OF_DOTS};
+const struct glint_method glint_bump_normalised = {.id = GLINT_BUMP_NORMALISED,
+                                                   .uses_tables = 1,
+                                                   .setup = shade_bump_normalised,
+                                                   .draw = draw_normalised,
+                                                   .choose = choose_normalised,
+                                                   .run = run_normalised,
+                                                   .colours = COLOURS_OF_DOTS};

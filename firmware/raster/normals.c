@@ -75,7 +75,7 @@ static inline __attribute__((always_inline)) void add_light(struct raster *r, in
     const q30_t n_dot_h = (q30_t)((uint32_t)highlight << 15);
     uint32_t power = formed ? surface_power(s, n_dot_h) : fx_power(s->power, n_dot_h);
     for (unsigned c = 0; c < surface_channels(s); c++)
-        r->sum[i][c] += surface_diffuse(power, s->light[l].specular[c]);
+        r->gloss[3 * i + (int)c] += surface_diffuse(power, s->light[l].specular[c]);
 }
 
 /* Where lights or the eye are near: the places in position units, into r->value[3] to [5]. */

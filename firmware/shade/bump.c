@@ -3,6 +3,7 @@
 
 #include "shade/dots.h"
 #include "shade/piece.h"
+#include "shade/uv.h"
 
 /* A unit vector's product with another, both within 2^-10 of it: at most 2^14 (1 + 2^-8). */
 static int32_t dot(const q14_t a[3], const q14_t b[3])
@@ -51,10 +52,9 @@ struct corners {
 static void find_corners(const struct shade_input *in, struct corners *out)
 {
     for (int k = 0; k < 3; k++) {
-        const unsigned corner = in->triangle->corner[SHADE_TURN(k)];
-        out->vertex[k] = &in->vertices[corner];
-        bump_make_frame(in->tangents[corner].tangent, in->tangents[corner].sign, out->vertex[k]->normal,
-                        &out->frame[k]);
+        const struct scene_tangent *t = &in->tangents[shade_vertex(in, k)];
+        out->vertex[k] = &in->vertices[in->triangle->corner[SHADE_TURN(k)]];
+        bump_make_frame(t->tangent, t->sign, out->vertex[k]->normal, &out->frame[k]);
     }
 }
 
@@ -102,7 +102,7 @@ static void rebuild(const struct shade_input *in, const struct corners *corners,
             v[i] = tangent[i] * (1 << 14) - lean * normal[i]; /* below 2^30 */
         object_unit(v, tangent);
     }
-    bump_make_frame(tangent, in->tangents[in->triangle->corner[SHADE_TURN(a)]].sign, normal, &frame);
+    bump_make_frame(tangent, in->tangents[shade_vertex(in, a)].sign, normal, &frame);
     for (int i = 0; i < 3; i++)
         position[i] = (int16_t)((va->position[i] + vb->position[i]) >> 1);
     directions(in, light, position, towards);
@@ -140,7 +140,7 @@ static int is_straight(const struct shade_setup *setup, const struct shade_input
 {
     const struct surface *s = in->surface;
     return surface_fold(s) && in->tabled && !setup->plane.sliver && !setup->plane.slim &&
-           !(s->bump.flags & (TEXTURE_CLAMP_U | TEXTURE_CLAMP_V));
+           setup->uv_kind == GLINT_TEXTURE_AFFINE && !(s->bump.flags & (TEXTURE_CLAMP_U | TEXTURE_CLAMP_V));
 }
 
 /* For that, L' times the material's diffuse light, and x and y of L' and H' times the map's steepness; Q15 factors. */
@@ -206,18 +206,6 @@ static void square_channel(struct shade_setup *setup, const struct shade_input *
         plane_quadratic_large(&setup->plane, value, bulge, out);
 }
 
-static void temp_uv(struct shade_setup *setup, const struct shade_input *in)
-{
-    for (int c = 0; c < 2; c++) { /*TEMP*/
-        int32_t v[3];
-        for (int k = 0; k < 3; k++)
-            v[k] = in->uvs[in->triangle->corner[SHADE_TURN(k)]][c];
-        if (in->weight)
-            piece_linear(in->weight, v);
-        plane_linear(&setup->plane, v, &setup->uv[c]);
-    }
-}
-
 /* Linear, or quadratic through middles of a kind: templates. */
 static inline __attribute__((always_inline)) void setup_lights(struct shade_setup *setup, const struct shade_input *in,
                                                                int quadratic, enum bump_middle middle)
@@ -225,7 +213,7 @@ static inline __attribute__((always_inline)) void setup_lights(struct shade_setu
     struct corners corners;
     const struct surface *s = in->surface;
     find_corners(in, &corners);
-    temp_uv(setup, in);
+    uv_setup(setup, in, in->texture);
     if (quadratic)
         plane_setup_quadratic(&setup->plane);
     setup->quadratic = (uint8_t)quadratic;
@@ -279,7 +267,7 @@ void shade_bump_normalised(struct shade_setup *setup, const struct shade_input *
     const struct perspective *perspective = USES(USES_PERSPECTIVE) && perspective_setup(&correct, in) ? &correct : 0;
     const struct surface *s = in->surface;
     find_corners(in, &corners);
-    temp_uv(setup, in);
+    uv_setup(setup, in, in->texture);
     plane_setup_quadratic(&setup->plane);
     for (unsigned i = 0; i < surface_lights(s); i++) {
         const int count = surface_highlights(s) ? 2 : 1;

@@ -18,28 +18,55 @@ struct clipped_triangle {
 /* A finished colour, and the material's number where it is kept behind a vertex record's lights. */
 #define COLOUR_WORDS 4
 
+/* What a method may keep in a vertex record behind the lights: a finished colour, and a mark of the adaptive ones. */
+#define SHADE_VERTEX_WORDS (COLOUR_WORDS + 1)
+
+/*
+ * A triangle seen from behind, as one that was built to face that way: corners 0, 2, 1 of the mesh's, normals and dot
+ * products negated. All methods take it for a triangle of a mesh of three vertices.
+ */
+struct shade_turned {
+    const struct scene_triangle *source; /* the mesh's */
+    struct scene_triangle triangle;
+    struct scene_vertex vertex[3];
+    int16_t lights[3][2 * SCENE_MAX_LIGHTS + SHADE_VERTEX_WORDS];
+};
+
 /* A triangle to be shaded. Corners stand clockwise on the screen (y down), so that determinants are positive. */
 struct shade_input {
     const int16_t *place[3];               /* x, y, depth of the corners */
     int16_t *lights[3];                    /* N.L and N.H, Q14, of the source triangle's corners, in the same turn */
     const struct scene_triangle *triangle; /* the source; its edges stand in `bend` as 2, 1, 0 */
     const struct scene_vertex *vertices;   /* of its mesh */
-    const int16_t (*uvs)[2];
-    const struct scene_tangent *tangents; /* likewise, where its material has a bump map */
-    const uint16_t (*weight)[3];          /* null: the corners are the source's */
+    const struct shade_turned *turned;     /* null: seen from the front. Else source, vertices and lights are its own */
+    const uint16_t (*weight)[3];           /* null: the corners are the source's */
+    const int16_t (*uvs)[2];               /* of its mesh, Q12; null: none */
+    const struct scene_tangent *tangents;  /* likewise; for bump maps */
     const struct object_state *object;
     const struct surface *surface;
     uint16_t (
         *colours)[COLOUR_WORDS]; /* for finished colours; null: they are kept with the vertices, one CPU's alone */
     struct shade_plan plan;      /* glint_auto: what this triangle takes */
+    uint8_t texture;             /* enum glint_texture: how the triangle's coordinates are to be interpolated */
     uint8_t divides;             /* the view is a perspective one */
     uint8_t no_plan;             /* keep effects that cannot show */
+    uint8_t every_zigzag;        /* GLINT_EVERY_ZIGZAG */
     uint8_t tabled;              /* a table holds the material's power, of N.H itself */
     uint8_t sampled; /* mid-edges may need a look of their own: something is near, or the power has another form */
 };
 
 /* Which of the source's corners is the input's corner k. */
 #define SHADE_TURN(k) ((k) ? 3 - (k) : 0)
+
+/* Which vertex of the mesh corner k is, for what lies beside its vertices: texture coordinates, tangents. */
+static inline unsigned shade_vertex(const struct shade_input *in, int k)
+{
+    return USES(USES_TWO_SIDED) && in->turned ? in->turned->source->corner[k] : in->triangle->corner[SHADE_TURN(k)];
+}
+
+/* Turns the triangle of an input round, whose places and lights are those of corners 0, 2, 1 of the mesh's; `words` of
+ * a vertex record are the method's. The colour that one keeps is not that of the back: the copy has none. */
+void shade_turn(struct shade_turned *turned, struct shade_input *in, unsigned words);
 
 /* Channels: per light N.L then N.H (x, six, duff), finished colours (gouraud, color6), or the normal's components
  * and the place's (phong, overveld, biquadratic). */
@@ -107,11 +134,13 @@ struct shade_setup {
             uint8_t in_steps;  /* N.L counts in steps of the output (shade/steps.h); where it does, */
             uint8_t plain;     /* it needs no clamp together with the ambient part */
             uint8_t length;    /* duff: SHADE_SQUARE holds 1 - |N|^2, below 1/4; numerators are linear */
+            uint8_t uv_kind;   /* enum glint_texture of `uv` */
         };
     };
     struct plane plane;
     struct channel depth;
-    struct channel uv[2];
+    struct channel uv[USES(USES_TEXTURE | USES_BUMP) ? 2 : 1]; /* texture coordinates: shade/uv.h */
+    uint8_t uv_up;                                             /* of perspective ones: how far closeness is moved up */
     union {
         struct channel channel[SHADE_MAX_CHANNELS];
         struct channel bump[SHADE_BUMP_ALL];
@@ -124,7 +153,8 @@ struct shade_setup {
             struct part_split split[PART_DEPTH + 1]; /* a stack, the part in hand on top */
         } parts;
     };
-    uint32_t flat[3]; /* flat: the finished colour, Q15 steps */
+    uint32_t flat[3];   /* flat: the finished colour, Q15 steps */
+    struct channel fog; /* its part where that is linear, Q14 */
 };
 
 /* The lights whose highlight shows. */

@@ -24,6 +24,14 @@ struct surface_bump {
     uint16_t steepness; /* Q14 */
 };
 
+/* A texture, for the pixels. */
+struct surface_texture {
+    const void *texels; /* null: none */
+    const uint32_t *palette;
+    const struct scene_texture *head;
+    uint16_t grey[3]; /* what red, green and blue of a texel count in a grey picture, Q8, of sum 1 */
+};
+
 struct surface {
     const struct fx_power *power;
     const struct glint_power *form; /* of the power; null: the table */
@@ -34,8 +42,9 @@ struct surface {
     /* 8-bit grey under one light (shade/steps.h), else 0: diffuse light in Q16 of 256 steps, and the ambient part with
      * the rounding half, Q7 steps */
     uint16_t fold, ambient;
-    uint32_t base[3];   /* ambient part, Q15 steps, at most 255 * 2^15 */
-    uint32_t top[3];    /* full intensity, Q15 steps */
+    struct surface_texture texture;
+    uint32_t base[3]; /* ambient part, Q15 steps, at most 255 * 2^15 */
+    uint32_t top[3];  /* full intensity, Q15 steps */
     struct {
         uint16_t diffuse[3], specular[3];     /* at N.L = 1, (N.H)^n = 1: Q8 steps, at most 255 * 2^8 */
         uint16_t diffuse_most, specular_most; /* the largest of each */

@@ -4,6 +4,7 @@
 #include "import/normals.h"
 #include "import/tangents.h"
 #include "pack/convert.h"
+#include "pack/inflection.h"
 #include "scene/vec.h"
 
 #include <math.h>
@@ -270,7 +271,9 @@ const char *quantise_mesh(const struct model *model, const struct model_mesh *me
     free(framed.triangles);
     report->parts = out->part_count;
     for (unsigned i = 0; i < out->part_count; i++) {
-        set_radius(&out->parts[i]);
+        struct quantise_part *part = &out->parts[i];
+        set_radius(part);
+        inflection_mark(part->vertices, part->head.vertex_count, part->triangles, part->head.triangle_count);
         report->vertices_out += out->parts[i].head.vertex_count;
         report->triangles_out += out->parts[i].head.triangle_count;
     }
