@@ -3,7 +3,7 @@
 #include "list.h"
 
 #include "raster/effects.h"
-#include "raster/raster.h"
+#include "raster/fogged.h"
 
 /* turn: the user's, or null. */
 FX_COLD static void add_object(struct glint_frame *f, const struct view *view, const struct scene_object *source,
@@ -46,6 +46,8 @@ static void begin_raster(struct raster *r, const struct glint_frame *f)
     r->input.plan = (struct shade_plan){0};
     r->surface.form = f->config.power;
     r->budget = f->config.budget ? f->config.budget : PLAN_BUDGET;
+    if (USES(USES_FOG))
+        fogged_begin(r, scene, f->config.method->choose && !f->config.method->object);
     r->input.surface = &r->surface;
     r->gloss = r->sum[0];
     r->input.texture = f->config.texture ? f->config.texture : GLINT_TEXTURE_PERSPECTIVE;
@@ -117,8 +119,11 @@ static void take_material(struct raster *r, const struct scene_header *scene, un
     r->surface_material = (uint16_t)material;
     surface_setup(&r->surface, scene, scene_materials(scene) + material, &r->palette);
     effects_surface(r);
+    if (raster_effects(r))
+        r->surface.fold = 0; /* runs have N.L itself */
     table_find(r);
-    r->input.tabled = r->surface_table != 0;
+    r->input.tabled = r->surface_table != 0 && raster_is(r, GLINT_RGB565);
+    r->input.grey_table = r->surface_table != 0 && raster_is(r, GLINT_GREY8);
 }
 
 /* Turns a listed triangle into the rasteriser's input: corners 0, 2, 1, which is clockwise with y down. */
@@ -138,7 +143,6 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     if (USES(USES_BUMP))
         in->tangents = scene_at(f->scene, object->mesh->tangents);
     in->weight = 0;
-    in->turned = 0;
     /* Once a triangle and worth unrolling. */
     const uint32_t stride = f->vertex_stride;
     int16_t *records = list_record(f, object->first_vertex), *corner = records + triangle->corner[0] * stride;
@@ -186,7 +190,9 @@ static void draw_triangle(struct glint_frame *f, const struct triangle_ref *ref)
     struct shade_setup *setup = &r->setup;
     struct edges edges;
     gather(f, ref);
-    if (method->choose)
+    if (USES(USES_FOG) && r->fog.kind && fogged_choose(r) == FOGGED_WHOLLY)
+        method = &fogged_wholly;
+    else if (method->choose)
         method = method->choose(r);
     f->stats.setups++;
     if (!edges_setup(&edges, in->place, r->width, r->height, r->y0, r->y1) ||
@@ -197,6 +203,8 @@ static void draw_triangle(struct glint_frame *f, const struct triangle_ref *ref)
     plane_linear(&setup->plane, depth, &setup->depth);
     setup->found[0] = setup->found[1] = setup->found[2] = 0;
     method->setup(setup, in);
+    if (USES(USES_FOG) && raster_effects(r) & USES_FOG)
+        fogged_setup(r, method);
     f->stats.pixels[method->id] += raster_effects(r) ? effects_triangle(r, &edges, method) : method->draw(r, &edges);
     if (ref->first < r->y0)
         return; /* counted with the band above */

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "raster/effects.h"
 
+#include "raster/fogged.h"
 #include "raster/texture.h"
 #include "shade/uv.h"
 
 void effects_surface(struct raster *r)
 {
-    r->effects = USES(USES_TEXTURE) && r->surface.texture.texels ? USES_TEXTURE : 0;
+    r->effects = r->surface_effects = USES(USES_TEXTURE) && r->surface.texture.texels ? USES_TEXTURE : 0;
 }
 
 /* The stages of a run, each chosen once for it. */
@@ -16,6 +17,8 @@ static void finish(struct raster *r, int x, int y, int n)
         texture_coordinates(r, x, y, n);
         texture_stage(r, n);
     }
+    if (USES(USES_FOG) && (r->effects & USES_FOG))
+        fogged_run(r, x, y, n);
 }
 
 uint32_t effects_draw(struct raster *r, struct edges *e, runs_shade *shade)

@@ -9,7 +9,7 @@
 
 #include "raster/runs.h"
 
-/* Notes in r->effects what the surface in hand asks for. */
+/* Notes in r->surface_effects, and r->effects, what the surface in hand asks for. */
 void effects_surface(struct raster *r);
 
 /* Draws the triangle in hand, which `method` has set up. Where its `run` is null, its `draw` calls effects_draw(). */

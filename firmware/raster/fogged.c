@@ -3,25 +3,55 @@
 
 #define ONE_Q14 (1 << 14)
 
-FX_COLD void fogged_begin(struct raster *r, const struct scene_header *scene)
+/* A quarter of the budget is the fog's, besides what the depths' rounding costs. In Q16 of full intensity a budget in
+ * Q8 of 1/255 is the same number, within .4 %. */
+static void divide_budget(struct raster *r)
+{
+    const uint32_t rest = r->budget - (uint32_t)r->budget / 4;
+    r->fog_allowed = (uint16_t)(r->budget / 4);
+    r->budget = (uint16_t)(rest > r->fog.error ? rest - r->fog.error : 1);
+}
+
+FX_COLD void fogged_begin(struct raster *r, const struct scene_header *scene, int plans)
 {
     uint32_t colour[3];
     fog_begin(&r->fog, scene);
+    if (!r->fog.kind)
+        return;
+    r->fog_allowed = FOGGED_ALLOWED;
+    if (plans)
+        divide_budget(r);
     surface_colour(&r->palette, scene->fog.colour, colour);
     for (int c = 0; c < 3; c++)
         r->fog_colour[c] = (uint16_t)(colour[c] >> 7); /* at most 255 * 2^8 */
 }
 
-unsigned fogged_setup(struct raster *r, uint32_t allowed)
+unsigned fogged_choose(struct raster *r)
 {
     struct fog_plan *plan = &r->fog_plan;
-    const struct shade_input *in = &r->input;
+    struct shade_input *in = &r->input;
     const int32_t depth[3] = {(uint16_t)in->place[0][VERTEX_DEPTH], (uint16_t)in->place[1][VERTEX_DEPTH],
                               (uint16_t)in->place[2][VERTEX_DEPTH]};
-    fog_choose(&r->fog, depth, allowed, in->no_plan, plan);
+    /* A colour table's pixels are not those of a run to the last bit: without the plan it keeps what it draws. */
+    fog_choose(&r->fog, depth, r->fog_allowed, in->no_plan && !in->tabled, plan);
+    r->effects = r->surface_effects;
+    if (plan->kind == FOGGED_WHOLLY) {
+        r->effects = 0;
+        in->plan = (struct shade_plan){0};
+    } else if (plan->kind != FOGGED_NOT) {
+        r->effects |= USES_FOG;
+    }
+    return plan->kind;
+}
+
+void fogged_setup(struct raster *r, const struct glint_method *method)
+{
+    const struct fog_plan *plan = &r->fog_plan;
     if (plan->kind == FOGGED_LINEARLY)
         plane_linear(&r->setup.plane, plan->part, &r->setup.fog);
-    return plan->kind;
+    /* Parts of a triangle have loops of their own too. */
+    if (!method->run && plan->kind == FOGGED_EVENLY && plan->part[0] == 0)
+        r->effects = r->surface_effects;
 }
 
 /* The fog's part at each pixel into r->value[0], Q14. Interpolated it may pass its ends by a rounding. */

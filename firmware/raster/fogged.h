@@ -9,12 +9,14 @@
 /* Where fog is linear under methods other than auto: within 1/4 of 1/255 of full intensity, Q16. */
 #define FOGGED_ALLOWED 64u
 
-/* The fog of the picture that begins. */
-void fogged_begin(struct raster *r, const struct scene_header *scene);
+/* The fog of the picture that begins. `plans`: by auto, of whose r->budget it takes its part. */
+void fogged_begin(struct raster *r, const struct scene_header *scene, int plans);
 
-/* How the triangle in hand, whose plane and depth are set up, is fogged: enum fogged, and r->fog_plan. `allowed` is
- * what may be added to the error there is, Q16 of full intensity. */
-unsigned fogged_setup(struct raster *r, uint32_t allowed);
+/* How the triangle in hand is fogged (enum fogged): into r->fog_plan, r->effects and r->input.plan. */
+unsigned fogged_choose(struct raster *r);
+
+/* Sets up what fogged_run() reads, of a triangle whose plane and depth are set up. */
+void fogged_setup(struct raster *r, const struct glint_method *method);
 
 /* Mixes r->sum of n pixels from (x, y) with the fog; clamps it first. */
 void fogged_run(struct raster *r, int x, int y, int n);

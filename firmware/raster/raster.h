@@ -58,6 +58,7 @@ struct raster {
     struct palette palette;
     struct fog fog;
     uint16_t fog_colour[3]; /* Q8 steps */
+    uint16_t fog_allowed;   /* error that may be added, Q16 of full intensity */
     struct surface surface;
     uint16_t budget;                   /* of auto, Q8 of 1/255 */
     uint16_t surface_material;         /* which one `surface` holds; 0xffff: none */
@@ -75,7 +76,8 @@ struct raster {
             int16_t place[CLIP_MAX_CORNERS][3];
         } begin;
     };
-    uint32_t effects; /* of what is done at each pixel besides lighting: USES_TEXTURE, USES_FOG */
+    uint32_t surface_effects; /* what the surface in hand asks for at each pixel besides lighting: USES_TEXTURE */
+    uint32_t effects;         /* what the triangle does: that, and USES_FOG */
     uint16_t weight[3][3];
     struct shade_turned turned;
     uint16_t colours[3][COLOUR_WORDS];
@@ -89,7 +91,7 @@ struct raster {
     int32_t uv[2][USES(USES_TEXTURE | USES_BUMP) ? RUN : 1]; /* texture coordinates, Q28 */
 };
 
-/* Effects at pixels of the surface in hand: 0 where the program has none. */
+/* Effects at pixels of the triangle in hand: 0 where the program has none. */
 static inline uint32_t raster_effects(const struct raster *r)
 {
     return USES(USES_TEXTURE | USES_FOG) ? r->effects : 0;

@@ -70,28 +70,26 @@ static inline __attribute__((always_inline)) uint32_t spans_grey(const struct sp
     uint32_t sum = look->colour;
     if (!(kind & (SPANS_DIFFUSE | SPANS_HIGHLIGHT)))
         return sum;
+    uint32_t h = v->h, by = 0;
     if (kind & SPANS_LENGTH) {
-        const uint32_t by = spans_length[fx_saturated(v->c, SPANS_LENGTH_BITS, 28 - SPANS_LENGTH_BITS)];
-        if (kind & SPANS_HIGHLIGHT) { /* the quotient is at least -1, the foot below 1: within [-2, 2) in Q30 */
-            const uint32_t h = (uint32_t)((int32_t)v->h >> 15) * by - look->foot;
-            sum = look->table[fx_saturated((uint32_t)((int32_t)h >> look->down), TABLE_BITS, 0)];
-        }
-        if (kind & SPANS_DIFFUSE) /* below 2^15 * 2^15.3 */
-            sum += fx_saturated(v->l, 15, 15) * by >> 15;
-    } else {
-        if (kind & SPANS_POWER) { /* powers are at most 2^15, the step's light below 2^16; the product in Q7 steps */
-            const uint32_t t = fx_saturated((uint32_t)((int32_t)v->h >> look->down), 22, 0);
-            const uint16_t *p = &look->table[t >> 15];
-            const uint32_t power = p[0] + ((uint32_t)(p[1] - p[0]) * (t & 0x7fff) >> 15);
-            sum += (power * look->specular >> 16) & ~(uint32_t)((int32_t)v->h >> 31); /* none below the foot */
-        } else if (kind & SPANS_WIDE) {
-            sum = look->table[fx_saturated((uint32_t)((int32_t)v->h >> look->down), TABLE_BITS, 0)];
-        } else if (kind & SPANS_HIGHLIGHT) {
-            sum = look->table[fx_saturated(v->h, TABLE_BITS, 30 - TABLE_BITS)];
-        }
-        if (kind & SPANS_DIFFUSE)
-            sum += fx_saturated(v->l, 16, 15);
+        by = spans_length[fx_saturated(v->c, SPANS_LENGTH_BITS, 28 - SPANS_LENGTH_BITS)];
+        if (kind & SPANS_HIGHLIGHT) /* the quotient is at least -1, the foot below 1: within [-2, 2) in Q30 */
+            h = (uint32_t)((int32_t)h >> 15) * by - look->foot;
     }
+    if (kind & SPANS_POWER) { /* powers are at most 2^15, the step's light below 2^16; the product in Q7 steps */
+        const uint32_t t = fx_saturated((uint32_t)((int32_t)h >> look->down), 22, 0);
+        const uint16_t *p = &look->table[t >> 15];
+        const uint32_t power = p[0] + ((uint32_t)(p[1] - p[0]) * (t & 0x7fff) >> 15);
+        sum += (power * look->specular >> 16) & ~(uint32_t)((int32_t)h >> 31); /* none below the foot */
+    } else if (kind & (SPANS_WIDE | SPANS_LENGTH) && kind & SPANS_HIGHLIGHT) {
+        sum = look->table[fx_saturated((uint32_t)((int32_t)h >> look->down), TABLE_BITS, 0)];
+    } else if (kind & SPANS_HIGHLIGHT) {
+        sum = look->table[fx_saturated(h, TABLE_BITS, 30 - TABLE_BITS)];
+    }
+    if (kind & SPANS_LENGTH) /* below 2^15 * 2^15.3 */
+        sum += fx_saturated(v->l, 15, 15) * by >> 15;
+    else if (kind & SPANS_DIFFUSE)
+        sum += fx_saturated(v->l, 16, 15);
     return fx_saturated(sum, 8, 7);
 }
 

@@ -14,6 +14,7 @@ SPANS_CASE(both_wide, BOTH | SPANS_QUADRATIC | SPANS_WIDE)
 SPANS_CASE(both_power, BOTH | SPANS_QUADRATIC | SPANS_POWER)
 SPANS_CASE(lengths_diffuse, SPANS_GREY8 | SPANS_LENGTH | SPANS_QUADRATIC | SPANS_DIFFUSE)
 SPANS_CASE(lengths, BOTH | SPANS_LENGTH | SPANS_QUADRATIC)
+SPANS_CASE(lengths_power, BOTH | SPANS_LENGTH | SPANS_QUADRATIC | SPANS_POWER)
 #if SPANS_BY_HAND
 #define both(r, e, look)           spans_by_hand(r, e, look, 1, spans_hand_grey)
 #define both_quadratic(r, e, look) spans_by_hand(r, e, look, 1, spans_hand_grey_quadratic)
@@ -34,19 +35,25 @@ uint32_t spans_grey8_colours(struct raster *r, struct edges *e)
     return colours(r, e, &look);
 }
 
+/* A highlight by the material's table, or without one by the scene's: returns whether by a table. */
+static int look_up(const struct raster *r, struct spans_look *look)
+{
+    const struct fx_power *power = r->surface.power;
+    look->colour = r->surface.ambient;
+    look->specular = r->surface.light[0].specular[0];
+    look->foot = (1u << 30) - (1u << (30 - power->octave));
+    look->table = r->surface_table ? r->surface_table->entry : power->value;
+    look->down = (r->surface_table ? 30u - TABLE_BITS : 8u) - power->octave;
+    return r->surface_table != 0;
+}
+
 static uint32_t draw_highlight(struct raster *r, struct edges *e)
 {
     const struct shade_setup *setup = &r->setup;
-    const struct fx_power *power = r->surface.power;
-    struct spans_look look = {.colour = r->surface.ambient, .specular = r->surface.light[0].specular[0]};
+    struct spans_look look;
     spans_highlight(r);
-    if (!r->surface_table) {
-        look.table = power->value;
-        look.down = 8u - power->octave;
+    if (!look_up(r, &look))
         return both_power(r, e, &look);
-    }
-    look.table = r->surface_table->entry;
-    look.down = 30u - TABLE_BITS - power->octave;
     if (setup->wide)
         return both_wide(r, e, &look);
     return setup->quadratic ? both_quadratic(r, e, &look) : both(r, e, &look);
@@ -70,15 +77,12 @@ FX_WRAPS uint32_t spans_grey8_dots(struct raster *r, struct edges *e)
 FX_WRAPS uint32_t spans_grey8_lengths(struct raster *r, struct edges *e)
 {
     struct shade_setup *setup = &r->setup;
-    const struct fx_power *power = r->surface.power;
-    const struct spans_look look = {.table = r->surface_table->entry,
-                                    .colour = r->surface.ambient,
-                                    .foot = (1u << 30) - (1u << (30 - power->octave)),
-                                    .down = 30u - TABLE_BITS - power->octave};
+    struct spans_look look;
+    const int by_table = look_up(r, &look);
     if (!setup->diffuse_lights)
         setup->channel[0].p = (struct polynomial){0};
     if (!shade_specular(setup))
         return setup->diffuse_lights ? lengths_diffuse(r, e, &look) : spans_grey8_constant(r, e, look.colour >> 7);
     setup->channel[1].p.f += 1u << 14; /* half of what a pixel drops before it multiplies */
-    return lengths(r, e, &look);
+    return by_table ? lengths(r, e, &look) : lengths_power(r, e, &look);
 }

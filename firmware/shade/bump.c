@@ -52,7 +52,7 @@ struct corners {
 static void find_corners(const struct shade_input *in, struct corners *out)
 {
     for (int k = 0; k < 3; k++) {
-        const struct scene_tangent *t = &in->tangents[shade_vertex(in, k)];
+        const struct scene_tangent *t = &in->tangents[in->triangle->corner[SHADE_TURN(k)]];
         out->vertex[k] = &in->vertices[in->triangle->corner[SHADE_TURN(k)]];
         bump_make_frame(t->tangent, t->sign, out->vertex[k]->normal, &out->frame[k]);
     }
@@ -102,7 +102,7 @@ static void rebuild(const struct shade_input *in, const struct corners *corners,
             v[i] = tangent[i] * (1 << 14) - lean * normal[i]; /* below 2^30 */
         object_unit(v, tangent);
     }
-    bump_make_frame(tangent, in->tangents[shade_vertex(in, a)].sign, normal, &frame);
+    bump_make_frame(tangent, in->tangents[in->triangle->corner[SHADE_TURN(a)]].sign, normal, &frame);
     for (int i = 0; i < 3; i++)
         position[i] = (int16_t)((va->position[i] + vb->position[i]) >> 1);
     directions(in, light, position, towards);
@@ -139,7 +139,7 @@ static inline __attribute__((always_inline)) void sample(const struct shade_inpu
 static int is_straight(const struct shade_setup *setup, const struct shade_input *in)
 {
     const struct surface *s = in->surface;
-    return surface_fold(s) && in->tabled && !setup->plane.sliver && !setup->plane.slim &&
+    return surface_fold(s) && in->grey_table && !setup->plane.sliver && !setup->plane.slim &&
            setup->uv_kind == GLINT_TEXTURE_AFFINE && !(s->bump.flags & (TEXTURE_CLAMP_U | TEXTURE_CLAMP_V));
 }
 

@@ -41,6 +41,10 @@ void dots_sample(const struct shade_input *in, unsigned light, struct dots_sampl
 /* Bulges in Q28 of samples. */
 void dots_bulges(const int32_t corner[3], const int32_t middle[3], const struct dots_factors *factors, int32_t out[3]);
 
+/* How far a value leaves the linear one, Q14: a third of the largest bulge, rounded up; 2 for the roundings of bulges and
+ * corner values. */
+int32_t dots_bulge_bend(const int32_t bulge[3]);
+
 /* A quadratic channel of values in Q14 and bulges in Q28, by the cheapest way that holds them. */
 void dots_quadratic(struct shade_setup *setup, const int32_t value[3], const int32_t bulge[3], struct channel *channel);
 
@@ -61,6 +65,12 @@ static inline int dots_wide(const struct fx_power *power, struct bounds range, i
     return floor - range.low + bend > most || range.high + bend - floor > most;
 }
 
+/* N.H less the foot of the power may pass -2 in Q30. */
+static inline int dots_deep(const struct fx_power *power, struct bounds range, int32_t bend)
+{
+    return range.low - bend - bounds_power_floor(power) < -32768 + 256;
+}
+
 /* Whether one dot product of a light, within `range` at the corners and at most `bend` off linear, can show on the
  * triangle (`form`: by another power than the table); if so, *error is what leaving out the bend would change, in Q8
  * steps. Twice a triangle and light, with `highlight` constant. */
@@ -69,8 +79,8 @@ static inline __attribute__((always_inline)) int dots_show(struct shade_setup *s
                                                            int32_t bend, int form, uint32_t *error)
 {
     const struct surface *s = in->surface;
-    int32_t top = range.high + bend, floor = highlight && !form ? s->floor : 1;
-    int deep = highlight && range.low - bend - floor < -32768 + 256; /* less the floor, it may pass -2 in Q30 */
+    int32_t top = range.high + bend, floor = highlight && !form ? bounds_power_floor(s->power) : 1;
+    const int deep = highlight && (form ? range.low - bend < -32768 + 257 : dots_deep(s->power, range, bend));
     *error = 0; /* steps in Q8 at full intensity times a Q14 bend: below 2^16 * 2^16 */
     if (top < floor && (!in->no_plan || deep))
         return 0;

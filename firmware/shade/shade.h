@@ -26,10 +26,11 @@ struct clipped_triangle {
  * products negated. All methods take it for a triangle of a mesh of three vertices.
  */
 struct shade_turned {
-    const struct scene_triangle *source; /* the mesh's */
     struct scene_triangle triangle;
     struct scene_vertex vertex[3];
-    int16_t lights[3][2 * SCENE_MAX_LIGHTS + SHADE_VERTEX_WORDS];
+    int16_t uv[3][2];
+    struct scene_tangent tangent[USES(USES_BUMP) ? 3 : 1]; /* turned round with the normal: the slopes stay the map's */
+    int16_t lights[3][USES(USES_TWO_SIDED) ? 2 * SCENE_MAX_LIGHTS + SHADE_VERTEX_WORDS : 1];
 };
 
 /* A triangle to be shaded. Corners stand clockwise on the screen (y down), so that determinants are positive. */
@@ -38,7 +39,6 @@ struct shade_input {
     int16_t *lights[3];                    /* N.L and N.H, Q14, of the source triangle's corners, in the same turn */
     const struct scene_triangle *triangle; /* the source; its edges stand in `bend` as 2, 1, 0 */
     const struct scene_vertex *vertices;   /* of its mesh */
-    const struct shade_turned *turned;     /* null: seen from the front. Else source, vertices and lights are its own */
     const uint16_t (*weight)[3];           /* null: the corners are the source's */
     const int16_t (*uvs)[2];               /* of its mesh, Q12; null: none */
     const struct scene_tangent *tangents;  /* likewise; for bump maps */
@@ -51,18 +51,13 @@ struct shade_input {
     uint8_t divides;             /* the view is a perspective one */
     uint8_t no_plan;             /* keep effects that cannot show */
     uint8_t every_zigzag;        /* GLINT_EVERY_ZIGZAG */
-    uint8_t tabled;              /* a table holds the material's power, of N.H itself */
+    uint8_t tabled;              /* a colour table holds the material's power, of N.H itself */
+    uint8_t grey_table;          /* there is a table for 8-bit grey */
     uint8_t sampled; /* mid-edges may need a look of their own: something is near, or the power has another form */
 };
 
 /* Which of the source's corners is the input's corner k. */
 #define SHADE_TURN(k) ((k) ? 3 - (k) : 0)
-
-/* Which vertex of the mesh corner k is, for what lies beside its vertices: texture coordinates, tangents. */
-static inline unsigned shade_vertex(const struct shade_input *in, int k)
-{
-    return USES(USES_TWO_SIDED) && in->turned ? in->turned->source->corner[k] : in->triangle->corner[SHADE_TURN(k)];
-}
 
 /* Turns the triangle of an input round, whose places and lights are those of corners 0, 2, 1 of the mesh's; `words` of
  * a vertex record are the method's. The colour that one keeps is not that of the back: the copy has none. */
@@ -71,6 +66,7 @@ void shade_turn(struct shade_turned *turned, struct shade_input *in, unsigned wo
 /* Channels: per light N.L then N.H (x, six, duff), finished colours (gouraud, color6), or the normal's components
  * and the place's (phong, overveld, biquadratic). */
 #define SHADE_MAX_CHANNELS (2 * SCENE_MAX_LIGHTS + 1)
+#define SHADE_WEIGHT       6                      /* beside places in perspective: W of shade/perspective.h, Q30 */
 #define SHADE_SQUARE       (2 * SCENE_MAX_LIGHTS) /* duff: the squared length of the normal */
 
 /* bump mapping: for each light L' and H' in the moving frame, Q30, and their squared lengths (shade/bump.h) */

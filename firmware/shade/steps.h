@@ -37,4 +37,15 @@ static inline int steps_plain(const struct surface *surface, struct bounds range
            (high * fold >> 15) + surface->ambient < 255 << 7;
 }
 
+/* Turns N.L's corner values and bulges (null: linear) into steps; `range` and `bend` are theirs. */
+static inline void steps_take(struct shade_setup *setup, const struct surface *surface, struct bounds range,
+                              int32_t bend, int32_t value[3], int32_t *bulge)
+{
+    steps_fold(surface, value);
+    if (bulge)
+        steps_fold_bulges(surface, bulge);
+    setup->in_steps = 1;
+    setup->plain = (uint8_t)steps_plain(surface, range, bend);
+}
+
 #endif

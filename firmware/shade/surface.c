@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "shade/surface.h"
 
-#include "plan/bounds.h"
-
 /* Product of two Q15 numbers of at most 1, rounded. */
 static uint32_t times(uint32_t a, uint32_t b)
 {
@@ -117,7 +115,6 @@ FX_COLD void surface_setup(struct surface *surface, const struct scene_header *s
             reflected(palette, material->specular, material->ks, light[i].colour, surface->light[i].specular);
         surface->highlights |= surface->light[i].specular_most != 0;
     }
-    surface->floor = (int16_t)bounds_power_floor(surface->power);
     surface->fold = surface->ambient = 0;
     if (USES(USES_GREY8) && palette->channels == 1 && palette->top[0] == 255 && surface->lights == 1 &&
         !surface_form(surface)) {
@@ -126,21 +123,25 @@ FX_COLD void surface_setup(struct surface *surface, const struct scene_header *s
     }
 }
 
-FX_COLD int16_t surface_floor(const struct surface *surface, uint32_t part_q8)
-{
-    uint32_t most = 0, step = 0;
-    for (unsigned i = 0; i < surface->lights; i++)
-        most += surface->light[i].specular_most; /* Q8 steps at a power of 2^15: below 8 * 2^16 */
-    /* the power never falls, and between the table's steps it is linear */
-    while (step < FX_POWER_STEPS && (uint64_t)surface->power->value[step + 1] * most < (uint64_t)part_q8 << 15)
-        step++;
-    return (int16_t)((1 << 14) - ((FX_POWER_STEPS - step) << 7 >> surface->power->octave));
-}
-
 /* Steps of a channel's output (Q8) in 1/255 of full intensity, rounded up; at most 255 and a little. */
 static uint32_t in_255(uint32_t steps, unsigned top)
 {
     return (steps * 255 + top - 1) / top; /* below 2^24 */
+}
+
+#define ROUNDINGS 230u /* 1, less what sums and coefficients are rounded by */
+
+/*
+ * What colours by the vertex records' dot products can be off by in roundings, Q8 of 1/255. A record's N.H is off by up
+ * to 3.1 units of Q14 (the normal's length by .9, the half-way vector's by 1.7, its own rounding), the power's slope is
+ * at most n, and its table is off by 1/510. Phong's N.H is exact; what the table does to it, nothing mends.
+ */
+static uint32_t roughness(const struct plan_surface *plan)
+{
+    uint32_t sum = 0; /* below 8 * (2^16 * 2^12 + 2^16 * 2^5) < 2^32 */
+    for (unsigned i = 0; i < plan->lights; i++)
+        sum += plan->light[i].specular * (3u * plan->power->exponent + 32u) + 3u * plan->light[i].diffuse;
+    return sum >> 14;
 }
 
 FX_COLD void surface_plan(struct surface *surface, const struct palette *palette, uint16_t budget)
@@ -148,7 +149,6 @@ FX_COLD void surface_plan(struct surface *surface, const struct palette *palette
     struct plan_surface *plan = &surface->plan;
     uint32_t base = 0;
     plan->power = surface->power;
-    plan->budget = budget;
     plan->lights = surface->lights;
     plan->highlights = surface->highlights;
     plan->foot = (int16_t)((1 << 14) - ((1 << 14) >> surface->power->octave));
@@ -168,6 +168,10 @@ FX_COLD void surface_plan(struct surface *surface, const struct palette *palette
         plan->light[i].diffuse = (uint16_t)diffuse;
         plan->light[i].specular = (uint16_t)specular;
     }
+    /* Roundings may take as much as 1 beyond the budget; the rest is the budget's. */
+    const uint32_t rough = roughness(plan), excess = rough > ROUNDINGS ? rough - ROUNDINGS : 0;
+    plan->sharp = excess > budget;
+    plan->budget = (uint16_t)(plan->sharp ? 0 : budget - excess);
 }
 
 void surface_shade(const struct surface *surface, const int16_t *lights_q14, uint32_t *out)

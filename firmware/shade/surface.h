@@ -38,10 +38,10 @@ struct surface {
     uint8_t channels, lights;
     uint8_t bend_limit; /* a bend that moves a channel by less is left out: half a step over all lights, Q8 */
     uint8_t highlights; /* some channel of `specular` is not 0 */
-    int16_t floor;      /* of N.H, Q14: below it a highlight is not seen; the foot of the power, see surface_floor() */
     /* 8-bit grey under one light (shade/steps.h), else 0: diffuse light in Q16 of 256 steps, and the ambient part with
      * the rounding half, Q7 steps */
     uint16_t fold, ambient;
+    struct plan_surface plan; /* glint_auto's; its power is null until surface_plan() has filled it */
     struct surface_texture texture;
     uint32_t base[3]; /* ambient part, Q15 steps, at most 255 * 2^15 */
     uint32_t top[3];  /* full intensity, Q15 steps */
@@ -50,7 +50,6 @@ struct surface {
         uint16_t diffuse_most, specular_most; /* the largest of each */
     } light[SCENE_MAX_LIGHTS];
     struct surface_bump bump;
-    struct plan_surface plan; /* glint_auto's; its power is null until surface_plan() has filled it */
 };
 
 /* Of them, what a program for given scenes and formats knows at once. */
@@ -84,10 +83,6 @@ void surface_setup(struct surface *surface, const struct scene_header *scene, co
 
 /* Fills surface->plan of a surface that is set up, for a budget in Q8 of 1/255. */
 void surface_plan(struct surface *surface, const struct palette *palette, uint16_t budget);
-
-/* The N.H, Q14, below which the highlights of all lights together stay below `part` of a step, Q8; at least the foot of
- * the power, below which there is none. */
-int16_t surface_floor(const struct surface *surface, uint32_t part_q8);
 
 /* A colour of the scene in Q15 steps; `out` has 3 entries, of a grey palette the others 0. */
 void surface_colour(const struct palette *palette, const uint16_t rgb_q15[3], uint32_t *out);

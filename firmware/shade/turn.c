@@ -17,7 +17,6 @@ void shade_turn(struct shade_turned *turned, struct shade_input *in, unsigned wo
     const int16_t *const place = in->place[1];
     in->place[1] = in->place[2];
     in->place[2] = place;
-    turned->source = source;
     turned->triangle.material = source->material;
     for (unsigned k = 0; k < 3; k++) {
         const struct scene_vertex *from = &in->vertices[source->corner[k]];
@@ -27,6 +26,15 @@ void shade_turn(struct shade_turned *turned, struct shade_input *in, unsigned wo
         for (int i = 0; i < 3; i++) {
             to->position[i] = from->position[i];
             to->normal[i] = (q14_t)-from->normal[i]; /* |n| <= 2^14 (1 + 2^-13) */
+        }
+        for (int i = 0; i < 2 && in->object->mesh->uvs; i++)
+            turned->uv[SHADE_TURN(k)][i] = in->uvs[source->corner[k]][i];
+        if (USES(USES_BUMP) && in->object->mesh->tangents) {
+            const struct scene_tangent *frame = &in->tangents[source->corner[k]];
+            struct scene_tangent *back = &turned->tangent[SHADE_TURN(k)];
+            for (int i = 0; i < 3; i++)
+                back->tangent[i] = (q14_t)-frame->tangent[i];
+            back->sign = (int16_t)-frame->sign;
         }
         for (unsigned i = 0; i < dots; i++)
             turned->lights[k][i] = opposite(lights[k][i]);
@@ -40,5 +48,6 @@ void shade_turn(struct shade_turned *turned, struct shade_input *in, unsigned wo
     turned->triangle.flags = (uint16_t)((source->flags & 2u) | (source->flags & 1u) << 2 | (source->flags >> 2 & 1u));
     in->triangle = &turned->triangle;
     in->vertices = turned->vertex;
-    in->turned = turned;
+    in->uvs = (const int16_t(*)[2])turned->uv;
+    in->tangents = turned->tangent;
 }

@@ -36,13 +36,8 @@ static inline __attribute__((always_inline)) int interpolate(struct shade_setup 
         if (in->weight)
             piece_quadratic(in->weight, value, bulge);
     }
-    if (!highlight && surface_fold(in->surface)) {
-        steps_fold(in->surface, value);
-        if (!linear)
-            steps_fold_bulges(in->surface, bulge);
-        setup->in_steps = 1;
-        setup->plain = (uint8_t)steps_plain(in->surface, range, bend);
-    }
+    if (!highlight && surface_fold(in->surface))
+        steps_take(setup, in->surface, range, bend, value, linear ? 0 : bulge);
     if (linear) {
         plane_linear(&setup->plane, value, channel);
     } else {

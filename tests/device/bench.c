@@ -9,6 +9,7 @@
  *   bench SCENE METHOD BANDS TABLES N [grey8|rgb888]
  *                                        one of them, N frames, nothing printed: for profilers, which look at the calls
  *                                        of bench_frame()
+ * An argument budget=N sets auto's, in 1/255.
  */
 #include "scene/scene.h"
 #include "tests/device/program.h"
@@ -29,6 +30,7 @@ static const struct {
     {"table", 0}, {"exact", &glint_power_exact}, {"4", &glint_power_4}, {"8", &glint_power_8}, {"16", &glint_power_16}};
 static const uint16_t exponents[] = {5, 20, 50, 200};
 
+static uint16_t bench_budget; /* of auto, Q8 in 1/255; 0: its default */
 static uint32_t bench_memory[MEMORY / 4], bench_band[BAND / 4], bench_blob[BLOB / 4];
 
 int bench_frame(struct glint_frame *frame, const void *scene, uint32_t time_ms);
@@ -53,6 +55,7 @@ static int bench_init(struct glint_frame *frame, struct glint_config *config, co
     config->format = (uint8_t)format;
     config->method = method->method;
     config->power = power;
+    config->budget = bench_budget;
     config->tables = tables;
     config->band_rows = (uint16_t)((config->height + bands - 1) / bands);
     glint_fit_stores(config, scene);
@@ -225,16 +228,29 @@ static int bench_asked(const char *method, int argc, char **argv)
     return asked;
 }
 
+/* `budget=N`, in 1/255, among the arguments. */
+static void bench_find_budget(int argc, char **argv)
+{
+    static const char name[] = "budget=";
+    for (int i = 1; i < argc; i++) {
+        unsigned k = 0;
+        while (name[k] && argv[i][k] == name[k])
+            k++;
+        if (!name[k])
+            bench_budget = (uint16_t)(text_number(argv[i] + k) << 8);
+    }
+}
+
 static enum glint_format bench_format(const char *name)
 {
     return !name ? GLINT_RGB565 : text_equal(name, "grey8") ? GLINT_GREY8 : GLINT_RGB888;
 }
 
-static int bench_run(const struct program_scene *scene, const struct glint_choice *method, char **argv)
+static int bench_run(const struct program_scene *scene, const struct glint_choice *method, int argc, char **argv)
 {
     struct glint_config config;
     struct glint_frame frame;
-    if (bench_init(&frame, &config, scene->blob, method, 0, bench_format(argv[6]), text_number(argv[3]),
+    if (bench_init(&frame, &config, scene->blob, method, 0, bench_format(argc > 6 ? argv[6] : 0), text_number(argv[3]),
                    (uint8_t)text_number(argv[4])) != 0)
         return 1;
     for (uint32_t i = text_number(argv[5]); i; i--)
@@ -246,6 +262,7 @@ static int bench_run(const struct program_scene *scene, const struct glint_choic
 int program_main(int argc, char **argv)
 {
     int bad = 0;
+    bench_find_budget(argc, argv);
     if (argc >= 2 && (text_equal(argv[1], "grey8") || text_equal(argv[1], "rgb888"))) {
         const enum glint_format format = bench_format(argv[1]);
         for (unsigned s = 0; s < program_scene_count; s++)
@@ -272,7 +289,7 @@ int program_main(int argc, char **argv)
     for (unsigned s = 0; s < program_scene_count; s++)
         for (unsigned m = 0; m < glint_choice_count; m++)
             if (text_equal(argv[1], program_scenes[s].name) && text_equal(argv[2], glint_choices[m].name))
-                return bench_run(&program_scenes[s], &glint_choices[m], argv);
+                return bench_run(&program_scenes[s], &glint_choices[m], argc, argv);
     program_write("bench: no such scene or method\n");
     return 2;
 }
