@@ -18,14 +18,32 @@ static void find_dots(struct raster *r, int x, int y, int n, const struct channe
     }
 }
 
-/* The same over the vector's length. */
-static void find_unit_dots(struct raster *r, int x, int y, int n, const struct channel *channel,
-                           const struct channel *square)
+/* The same over the vector's length. The largest component is first moved to 15 bits, as numerators of a perspective
+ * may be small: with |v|^2 in [2^28, 3 * 2^30), |N'.v| < 3/2 * 2^14 |v| < 2^30.4, and less than 2^29.6 where the root
+ * takes it twice. */
+static void find_unit_dots(struct raster *r, int x, int y, int n, const struct channel *channel)
 {
-    raster_lengths(r, square, x, y, n);
-    find_dots(r, x, y, n, channel);
-    for (int i = 0; i < n; i++)
-        r->value[0][i] = perspective_divide(r->value[0][i], r->divisor[i]);
+    for (int axis = 0; axis < 3; axis++)
+        plane_values(&r->setup.plane, &channel[axis], x, y, n, r->value[axis]);
+    for (int i = 0; i < n; i++) {
+        int32_t v[3], dot = 0;
+        uint32_t size = 1, squared = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            v[axis] = r->value[axis][i];
+            size |= (uint32_t)(v[axis] ^ v[axis] >> 31);
+        }
+        const int32_t up = 1 << (fx_clz(size) - 1);
+        for (int axis = 0; axis < 3; axis++) {
+            v[axis] = v[axis] * up >> 16;
+            squared += (uint32_t)(v[axis] * v[axis]);
+            dot += v[axis] * r->value[3 + axis][i];
+        }
+        if (squared < 1u << 28) /* 0, between opposite corners */
+            squared = 1u << 28;
+        const unsigned twice = squared < 1u << 30; /* root of squared 4 */
+        const int32_t inverse = (int32_t)(fx_rsqrt_norm(squared << 2 * twice) >> 1);
+        r->value[0][i] = fx_mulhi_s32(dot * (1 << twice), inverse) * 8;
+    }
 }
 
 static inline __attribute__((always_inline)) void add(uint32_t *sum, uint32_t amount, const uint16_t *steps,
@@ -71,7 +89,7 @@ static inline __attribute__((always_inline)) void shade(struct raster *r, int x,
             if (!((which ? shade_specular(setup) : setup->diffuse_lights) >> l & 1))
                 continue;
             if (normalised)
-                find_unit_dots(r, x, y, n, channel + BUMP_HALF * which, channel + BUMP_SQUARE + which);
+                find_unit_dots(r, x, y, n, channel + BUMP_HALF * which);
             else
                 find_dots(r, x, y, n, channel + BUMP_HALF * which);
             if (which)

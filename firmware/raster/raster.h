@@ -60,8 +60,8 @@ struct raster {
     uint16_t fog_colour[3]; /* Q8 steps */
     uint16_t fog_allowed;   /* error that may be added, Q16 of full intensity */
     struct surface surface;
-    uint16_t budget;                   /* of auto, Q8 of 1/255 */
-    uint16_t surface_material;         /* which one `surface` holds; 0xffff: none */
+    uint16_t budget;                          /* of auto, Q8 of 1/255 */
+    uint16_t surface_material;                /* which one `surface` holds; 0xffff: none */
     const struct table *surface_table; /* made for `surface`; null: none, or not looked for yet */
     void *table;                       /* one for each of the first r->tables materials, table_bytes() each */
     /* the triangle in hand */
@@ -157,9 +157,9 @@ uint32_t draw_gouraud(struct raster *r, struct edges *e);
 uint32_t draw_duff(struct raster *r, struct edges *e);
 uint32_t draw_color6(struct raster *r, struct edges *e);
 
-/* 1 / W of n pixels, and the reciprocal length of vectors whose squared length a channel holds, into r->divisor. */
+/* 1 / W of n pixels, and the reciprocal length of their normals (SHADE_SQUARE), into r->divisor. */
 void raster_divisors(struct raster *r, int x, int y, int n);
-void raster_lengths(struct raster *r, const struct channel *square, int x, int y, int n);
+void raster_lengths(struct raster *r, int x, int y, int n);
 
 /* What methods with channels of N.L and N.H draw with. */
 uint32_t raster_draw_dots(struct raster *r, struct edges *e);

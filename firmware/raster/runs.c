@@ -10,10 +10,10 @@ void raster_divisors(struct raster *r, int x, int y, int n)
 }
 
 /* Squares in Q30, at most 1 and a rounding; a normal shorter than 2^-9 (of opposite corners) is taken for that long. */
-void raster_lengths(struct raster *r, const struct channel *square, int x, int y, int n)
+void raster_lengths(struct raster *r, int x, int y, int n)
 {
     const int32_t least = 1 << 12;
-    plane_values(&r->setup.plane, square, x, y, n, r->value[0]);
+    plane_values(&r->setup.plane, &r->setup.channel[SHADE_SQUARE], x, y, n, r->value[0]);
     for (int i = 0; i < n; i++) {
         uint32_t square = (uint32_t)(r->value[0][i] > least ? r->value[0][i] : least);
         unsigned up = fx_clz(square) & ~1u; /* square 2^up = v 2^30, v in [1, 4) */

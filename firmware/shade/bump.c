@@ -190,20 +190,16 @@ static int32_t square_bulges(const int16_t (*corner)[3], int32_t bulge[3])
     return most;
 }
 
-/* The square; setup->length: 1 less it. */
+/* 1 less the square: for a table of reciprocal lengths. */
 static void square_channel(struct shade_setup *setup, const struct shade_input *in, int32_t bulge[3],
-                           const struct perspective *perspective, struct channel *out)
+                           struct channel *out)
 {
-    const int32_t one = setup->length ? 0 : Q14(1, 1);
-    int32_t value[3] = {one, one, one};
-    for (int k = 0; k < 3 && setup->length; k++)
+    int32_t value[3] = {0, 0, 0};
+    for (int k = 0; k < 3; k++)
         bulge[k] = -bulge[k];
     if (in->weight)
         piece_quadratic(in->weight, value, bulge);
-    if (perspective)
-        perspective_quadratic(perspective, &setup->plane, value, bulge, out);
-    else
-        plane_quadratic_large(&setup->plane, value, bulge, out);
+    dots_quadratic(setup, value, bulge, out);
 }
 
 /* Linear, or quadratic through middles of a kind: templates. */
@@ -266,32 +262,35 @@ void shade_bump_normalised(struct shade_setup *setup, const struct shade_input *
     struct perspective correct;
     const struct perspective *perspective = USES(USES_PERSPECTIVE) && perspective_setup(&correct, in) ? &correct : 0;
     const struct surface *s = in->surface;
+    const int count = surface_highlights(s) ? 2 : 1;
     find_corners(in, &corners);
     uv_setup(setup, in, in->texture);
     plane_setup_quadratic(&setup->plane);
     for (unsigned i = 0; i < surface_lights(s); i++) {
-        const int count = surface_highlights(s) ? 2 : 1;
         struct samples samples;
         int32_t bulge[2][3], most = 0;
         struct channel *channel = setup->bump + BUMP_CHANNELS * i;
         sample(in, &corners, i, 0, BUMP_AVERAGE, &samples);
         setup->diffuse_lights |= (uint8_t)(1u << i);
         setup->specular_lights |= (uint8_t)((count == 2) << i);
-        for (int which = 0; which < count; which++) {
-            const int32_t largest = square_bulges((const int16_t(*)[3])samples.corner[which], bulge[which]);
-            most = largest > most ? largest : most;
+        if (!perspective && is_straight(setup, in)) { /* there is one light */
+            for (int which = 0; which < count; which++) {
+                const int32_t largest = square_bulges((const int16_t(*)[3])samples.corner[which], bulge[which]);
+                most = largest > most ? largest : most;
+            }
+            setup->in_steps = setup->length = most <= MOST_BULGE;
         }
-        setup->in_steps = setup->length = !perspective && most < MOST_BULGE && is_straight(setup, in);
-        if (setup->in_steps) /* there is one light */
+        for (int which = 0; which < count && setup->length; which++)
+            square_channel(setup, in, bulge[which], setup->bump + BUMP_SQUARE + which);
+        if (setup->in_steps)
             fold(s, &samples, 0);
-        for (int which = 0; which < count; which++) {
+        for (int which = 0; which < count; which++, channel += BUMP_HALF) {
             const int16_t(*corner)[3] = (const int16_t(*)[3])samples.corner[which];
             const int16_t *const ends[3] = {corner[0], corner[1], corner[2]};
             if (perspective)
-                piece_vectors_perspective(setup, in, perspective, ends, 0, channel + BUMP_HALF * which);
+                piece_vectors_perspective(setup, in, perspective, ends, 0, channel);
             else
-                piece_vectors(setup, in, ends, channel + BUMP_HALF * which);
-            square_channel(setup, in, bulge[which], perspective, channel + BUMP_SQUARE + which);
+                piece_vectors(setup, in, ends, channel);
         }
     }
 }

@@ -12,10 +12,11 @@
 
 #include "shade/shade.h"
 
-/* A light's channels from bump[BUMP_CHANNELS * light] on: L' and H', Q30, |.| <= 7/6; and their squared lengths. */
+/* A light's channels from bump[BUMP_CHANNELS * light] on: L' and H', Q30, |.| <= 7/6; numerators in perspective. Where
+ * setup.length is set there is one light, and 1 less the squared lengths stand behind. */
 #define BUMP_HALF     3
-#define BUMP_SQUARE   6
-#define BUMP_CHANNELS SHADE_BUMP_CHANNELS
+#define BUMP_CHANNELS 6
+#define BUMP_SQUARE   (BUMP_CHANNELS * SHADE_BUMP_LIGHTS)
 
 /* Where L' and H' in the middle of an edge come from. */
 enum bump_middle {

@@ -69,10 +69,10 @@ void shade_turn(struct shade_turned *turned, struct shade_input *in, unsigned wo
 #define SHADE_WEIGHT       6                      /* beside places in perspective: W of shade/perspective.h, Q30 */
 #define SHADE_SQUARE       (2 * SCENE_MAX_LIGHTS) /* duff: the squared length of the normal */
 
-/* bump mapping: for each light L' and H' in the moving frame, Q30, and their squared lengths (shade/bump.h) */
-#define SHADE_BUMP_CHANNELS 8
+/* bump mapping: for each light L' and H' in the moving frame, Q30; behind them, of a light alone, their squared lengths
+ * (shade/bump.h) */
 #define SHADE_BUMP_LIGHTS   (USES(USES_SEVERAL_LIGHTS) ? SCENE_MAX_LIGHTS : 1)
-#define SHADE_BUMP_ALL      (USES(USES_BUMP) ? SHADE_BUMP_CHANNELS * SHADE_BUMP_LIGHTS : 1)
+#define SHADE_BUMP_CHANNELS (USES(USES_BUMP) ? 6 * SHADE_BUMP_LIGHTS + 2 : 1)
 
 /*
  * Normals quadratic over the triangle, N = sum ni li - sum bij li lj: component `axis` of corner k, Q14, and the bulges
@@ -139,7 +139,7 @@ struct shade_setup {
     uint8_t uv_up;                                             /* of perspective ones: how far closeness is moved up */
     union {
         struct channel channel[SHADE_MAX_CHANNELS];
-        struct channel bump[SHADE_BUMP_ALL];
+        struct channel bump[SHADE_BUMP_CHANNELS];
         struct {
             struct channel before_rows[6]; /* the place's among them */
             struct shade_rows rows;
