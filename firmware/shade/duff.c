@@ -22,8 +22,8 @@ void shade_duff(struct shade_setup *setup, const struct shade_input *in)
     /* Straight into the band (raster/spans.h): the squared length as its difference from 1 fits plane_quadratic(), and
      * a table of reciprocal lengths what is below 1/4. */
     plane_setup_quadratic(&setup->plane);
-    setup->length = surface_fold(in->surface) && !object_local(in->object) && most <= SHADE_LENGTH_BEND &&
-                    !setup->plane.slim;
+    setup->length =
+        surface_fold(in->surface) && !object_local(in->object) && most <= SHADE_LENGTH_BEND && !setup->plane.slim;
     /* sum li lj <= 1/3: the normal's squared length is at least 1 - 4/3 of the largest bend */
     most += (most + 2) * 43691u >> 17; /* a third, rounded up */
     factors.stretch = dots_length_factor(most < 65536 ? most : 65536);
@@ -31,8 +31,8 @@ void shade_duff(struct shade_setup *setup, const struct shade_input *in)
     factors.folds = setup->length;
     dots_setup(setup, in, &factors, 0);
     setup->length &= (uint8_t)shade_alone(setup);
-    if (in->weight)
-        piece_quadratic(in->weight, value, bulge);
+    if (shade_weight(in))
+        piece_quadratic(shade_weight(in), value, bulge);
     if (setup->length) {
         for (int k = 0; k < 3; k++) {
             bulge[k] = -bulge[k];

@@ -50,8 +50,8 @@ static inline __attribute__((always_inline)) void interpolate(struct shade_setup
         bulge[2] = -((value[2] + value[0]) * factors[2]) >> 1;
         bend = bend_of(bulge);
     }
-    if (in->weight)
-        piece_quadratic(in->weight, value, bulge);
+    if (shade_weight(in))
+        piece_quadratic(shade_weight(in), value, bulge);
     if (index & 1) {
         const int32_t foot = bounds_power_floor(s->power);
         setup->wide |= (uint8_t)dots_wide(s->power, range, bend);
