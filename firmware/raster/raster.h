@@ -11,7 +11,7 @@
 #include "glint.h"
 #include "plan/fog.h"
 #include "raster/edges.h"
-#include "shade/perspective.h"
+#include "shade/uv.h"
 
 #define RUN                16 /* pixels; a mask bit each */
 #define RASTER_NO_MATERIAL 0xffffu
@@ -60,8 +60,8 @@ struct raster {
     uint16_t fog_colour[3]; /* Q8 steps */
     uint16_t fog_allowed;   /* error that may be added, Q16 of full intensity */
     struct surface surface;
-    uint16_t budget;                          /* of auto, Q8 of 1/255 */
-    uint16_t surface_material;                /* which one `surface` holds; 0xffff: none */
+    uint16_t budget;                   /* of auto, Q8 of 1/255 */
+    uint16_t surface_material;         /* which one `surface` holds; 0xffff: none */
     const struct table *surface_table; /* made for `surface`; null: none, or not looked for yet */
     void *table;                       /* one for each of the first r->tables materials, table_bytes() each */
     /* the triangle in hand */
@@ -76,8 +76,9 @@ struct raster {
             int16_t place[CLIP_MAX_CORNERS][3];
         } begin;
     };
-    uint32_t surface_effects; /* what the surface in hand asks for at each pixel besides lighting: USES_TEXTURE */
-    uint32_t effects;         /* what the triangle does: that, and USES_FOG */
+    uint32_t surface_effects;  /* what the surface in hand asks for at each pixel besides lighting: USES_TEXTURE */
+    uint32_t effects;          /* what the triangle does: that, and USES_FOG */
+    struct uv_corners corners; /* of a triangle whose texture coordinates are split: split.h */
     uint16_t weight[3][3];
     struct shade_turned turned;
     uint16_t colours[3][COLOUR_WORDS];

@@ -19,11 +19,11 @@ void shade_duff(struct shade_setup *setup, const struct shade_input *in)
         bulge[k] = (int32_t)(bend << 14); /* 4 bend in Q28: below 2^30 */
         most = bend > most ? bend : most;
     }
-    /* Straight into the band (raster/spans.h): the squared length as its difference from 1 fits plane_quadratic(), and a
-     * table of reciprocal lengths what is below 1/4. */
+    /* Straight into the band (raster/spans.h): the squared length as its difference from 1 fits plane_quadratic(), and
+     * a table of reciprocal lengths what is below 1/4. */
     plane_setup_quadratic(&setup->plane);
-    setup->length = surface_fold(in->surface) && !object_local(in->object) && most <= SHADE_LENGTH_BEND &&
-                    !setup->plane.slim;
+    setup->length =
+        surface_fold(in->surface) && !object_local(in->object) && most <= SHADE_LENGTH_BEND && !setup->plane.slim;
     /* sum li lj <= 1/3: the normal's squared length is at least 1 - 4/3 of the largest bend */
     most += (most + 2) * 43691u >> 17; /* a third, rounded up */
     factors.stretch = dots_length_factor(most < 65536 ? most : 65536);
