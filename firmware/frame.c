@@ -78,6 +78,8 @@ FX_COLD int glint_frame_begin(struct glint_frame *f, const void *scene, uint32_t
         return GLINT_E_ARGUMENT;
     if (header->magic != SCENE_MAGIC || header->version != SCENE_VERSION || header->light_count > f->config.max_lights)
         return GLINT_E_SCENE;
+    if ((header->effects & ~GLINT_USES) != 0)
+        return GLINT_E_SCENE;
     f->scene = header;
     f->light_count = (uint8_t)header->light_count;
     f->vertex_stride = (uint16_t)(VERTEX_LIGHTS + 2 * f->light_count + f->config.method->vertex_words);
@@ -118,7 +120,8 @@ static void take_material(struct raster *r, const struct scene_header *scene, un
 {
     r->surface_material = (uint16_t)material;
     surface_setup(&r->surface, scene, scene_materials(scene) + material, &r->palette);
-    effects_surface(r);
+    if (USES(USES_TEXTURE | USES_FOG))
+        effects_surface(r);
     if (raster_effects(r))
         r->surface.fold = 0; /* runs have N.L itself */
     table_find(r);

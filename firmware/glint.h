@@ -16,9 +16,11 @@
 #define GLINT_MAX_SIZE 2048u /* pixels, either way */
 
 enum glint_error {
-    GLINT_E_ARGUMENT = -1, /* a size, format or method that does not exist, or a null pointer */
+    GLINT_E_ARGUMENT = -1, /* a size, format or method that does not exist or that this program was compiled without,
+                              or a null pointer */
     GLINT_E_MEMORY = -2,   /* config.memory is smaller than glint_memory_needed() or not aligned */
-    GLINT_E_SCENE = -3,    /* not a scene this version reads; glint_scene_problem() says why */
+    GLINT_E_SCENE = -3,    /* not a scene this version reads, or one that needs an effect that this program was compiled
+                              without (uses.h); glint_scene_problem() says why */
 };
 
 enum glint_format {
