@@ -34,11 +34,15 @@ enum {
     EXPONENTIAL = 64, /* the fog, if there is one */
     BACK = 128,       /* a two-sided net seen from behind */
     CLIPPED = 256,    /* in perspective: by the near plane */
+    TEXTURE = 512,
 };
-#define EFFECTS 9
+#define EFFECTS 10
+#define LOG2    3 /* of a texture's sides */
 
 static struct scene_vertex vertices[SIDE * SIDE];
 static struct scene_triangle triangles[COUNT];
+static int16_t uvs[SIDE * SIDE][2];
+static uint16_t texels[1 << 2 * LOG2];
 
 static void random_net(struct scene_case *c, int back)
 {
@@ -66,6 +70,21 @@ static void random_net(struct scene_case *c, int back)
     c->mesh[0].triangles = triangles;
     c->mesh[0].vertex_count = SIDE * SIDE;
     c->mesh[0].triangle_count = COUNT;
+}
+
+/* A texel or two between vertices, of colours not far apart: what a rounding of the coordinates costs stays small. */
+static void random_texture(struct scene_case *c)
+{
+    for (int i = 0; i < 1 << 2 * LOG2; i++)
+        texels[i] = (uint16_t)(random_between(18, 31) << 11 | random_between(36, 63) << 5 | random_between(18, 31));
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        uvs[i][0] = (int16_t)((i % SIDE) * 900 + random_between(-200, 200));
+        uvs[i][1] = (int16_t)((i / SIDE) * 900 + random_between(-200, 200));
+    }
+    c->texture.log2_width = c->texture.log2_height = LOG2;
+    c->texture.flags = (uint8_t)(TEXTURE_BILINEAR | random_between(0, 3) * TEXTURE_CLAMP_U);
+    c->texels = texels;
+    c->mesh[0].uvs = (const int16_t(*)[2])uvs;
 }
 
 static void random_lights(struct scene_case *c, unsigned effects)
@@ -122,6 +141,8 @@ static struct scene_header *random_scene(unsigned effects)
     for (int k = 0; k < 3; k++)
         c.material[0].diffuse[k] = (uint16_t)random_between(8000, 32768);
     random_net(&c, (effects & BACK) != 0);
+    if (effects & TEXTURE)
+        random_texture(&c);
     random_lights(&c, effects);
     random_fog(&c.head.fog, effects, distance);
     return scene_case_blob(&c);
