@@ -202,6 +202,32 @@ static void effects_together_are_the_truth(void **state)
     assert_true(worst > .5);
 }
 
+/* The fog has its part of the budget. */
+static void auto_keeps_its_budget(void **state)
+{
+    static const uint16_t budgets[] = {128, 256, 512, 1024, 2048, 4096, 8192};
+    double tightest = 0;
+    (void)state;
+    random_seed(3);
+    for (int i = 0; i < 400; i++) {
+        const unsigned effects = random_effects() | FOG;
+        struct scene_header *scene = random_scene(effects);
+        struct reference_image truth;
+        struct frame_case f = frame_case_small(WIDTH, HEIGHT, GLINT_RGB888);
+        f.config.method = &glint_auto;
+        f.config.budget = budgets[i % 7];
+        open_truth(scene, &truth);
+        const double most = difference(scene, f, &truth), allowed = f.config.budget / 256. + 1.5;
+        if (most > allowed)
+            fail_msg("scene %d, effects %x: off by %.2f with a budget of %.2f", i, effects, most,
+                     f.config.budget / 256.);
+        tightest = fmax(tightest, most / allowed);
+        reference_free(&truth);
+        free(scene);
+    }
+    print_message("up to %.2f of what is allowed\n", tightest);
+}
+
 static void check_same(const struct frame_case *whole, const uint8_t *wanted, const struct scene_header *scene,
                        unsigned rows, unsigned flags, const char *name)
 {
@@ -239,6 +265,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(effects_together_are_the_truth),
+        cmocka_unit_test(auto_keeps_its_budget),
         cmocka_unit_test(neither_bands_nor_the_plan_change_a_pixel),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
