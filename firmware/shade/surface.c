@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "shade/surface.h"
 
+#include "plan/curve.h"
+
 /* Product of two Q15 numbers of at most 1, rounded. */
 static uint32_t times(uint32_t a, uint32_t b)
 {
@@ -113,14 +115,29 @@ static uint32_t in_255(uint32_t steps, unsigned top)
     return (steps * 255 + top - 1) / top; /* below 2^24 */
 }
 
+#define ROUNDINGS 230u /* 1, less what sums and coefficients are rounded by */
+
+/*
+ * What colours by the vertex records' dot products can be off by in roundings, Q8 of 1/255. A record's N.H is off by up
+ * to 3.1 units of Q14 (the normal's length by .9, the half-way vector's by 1.7, its own rounding), the power's slope is
+ * at most n, and its table is off by 1/510. Phong's N.H is exact; what the table does to it, nothing mends.
+ */
+static uint32_t roughness(const struct plan_surface *plan)
+{
+    uint32_t sum = 0; /* below 8 * (2^16 * 2^12 + 2^16 * 2^5) < 2^32 */
+    for (unsigned i = 0; i < plan->lights; i++)
+        sum += plan->light[i].specular * (3u * plan->power->exponent + 32u) + 3u * plan->light[i].diffuse;
+    return sum >> 14;
+}
+
 FX_COLD void surface_plan(struct surface *surface, const struct palette *palette, uint16_t budget)
 {
     struct plan_surface *plan = &surface->plan;
     uint32_t base = 0;
     plan->power = surface->power;
-    plan->budget = budget;
     plan->lights = surface->lights;
     plan->highlights = surface->highlights;
+    plan->duff_bend = CURVE_MOST_BEND;
     plan->foot = (int16_t)((1 << 14) - ((1 << 14) >> surface->power->octave));
     for (unsigned c = 0; c < surface->channels; c++) {
         const uint32_t ambient = in_255(surface->base[c] >> 7, palette->top[c]);
@@ -138,6 +155,10 @@ FX_COLD void surface_plan(struct surface *surface, const struct palette *palette
         plan->light[i].diffuse = (uint16_t)diffuse;
         plan->light[i].specular = (uint16_t)specular;
     }
+    /* Roundings may take as much as 1 beyond the budget; the rest is the budget's. */
+    const uint32_t rough = roughness(plan), excess = rough > ROUNDINGS ? rough - ROUNDINGS : 0;
+    plan->sharp = excess > budget;
+    plan->budget = (uint16_t)(plan->sharp ? 0 : budget - excess);
 }
 
 void surface_shade(const struct surface *surface, const int16_t *lights_q14, uint32_t *out)

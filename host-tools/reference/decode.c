@@ -159,6 +159,15 @@ void decode_view(const struct scene_header *scene, uint32_t time_ms, unsigned wi
         decode_light(scene, scene_lights(scene) + i, time_ms, &eye, view->lights + i);
 }
 
+static void decode_object(const struct scene_header *scene, const struct scene_object *object, uint32_t time_ms,
+                          struct decode_pose *pose)
+{
+    decode_rotation(object->rotation, pose->rotation);
+    decode_vector(object->position, 16, pose->position);
+    pose->scale = decode_q(object->scale, 16);
+    decode_motion(scene, &object->motion, time_ms, pose);
+}
+
 void decode_vertices(const struct scene_header *scene, const struct scene_object *object, uint32_t time_ms,
                      struct decode_vertex *vertices)
 {
@@ -167,10 +176,7 @@ void decode_vertices(const struct scene_header *scene, const struct scene_object
     const int16_t(*uvs)[2] = mesh->uvs ? scene_at(scene, mesh->uvs) : NULL;
     struct decode_pose pose, eye;
     double centre[3], extent = decode_q(mesh->extent, 16);
-    decode_rotation(object->rotation, pose.rotation);
-    decode_vector(object->position, 16, pose.position);
-    pose.scale = decode_q(object->scale, 16);
-    decode_motion(scene, &object->motion, time_ms, &pose);
+    decode_object(scene, object, time_ms, &pose);
     decode_camera(&scene->camera, &eye);
     decode_vector(mesh->centre, 16, centre);
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
@@ -185,6 +191,31 @@ void decode_vertices(const struct scene_header *scene, const struct scene_object
         decode_apply(&eye, position, vertices[v].position);
         vec_quat_rotate(pose.rotation, normal, normal);
         vec_quat_rotate(eye.rotation, normal, vertices[v].normal);
+    }
+}
+
+void decode_turn(const struct scene_header *scene, const struct scene_object *object, uint32_t time_ms, uint16_t yaw,
+                 uint16_t pitch, struct decode_vertex *vertices)
+{
+    static const double right[3] = {0, 1, 0}, down[3] = {1, 0, 0};
+    const double step = 2 * acos(-1) / 65536;
+    struct decode_pose pose, eye;
+    double origin[3], about_y[4], turn[4];
+    if (!yaw && !pitch)
+        return;
+    decode_object(scene, object, time_ms, &pose);
+    decode_camera(&scene->camera, &eye);
+    decode_apply(&eye, pose.position, origin);
+    vec_quat_axis(right, step * yaw, about_y);
+    vec_quat_axis(down, -step * pitch, turn);
+    vec_quat_multiply(turn, about_y, turn);
+    for (uint32_t v = 0; v < scene_meshes(scene)[object->mesh].vertex_count; v++) {
+        double *position = vertices[v].position;
+        vec_sub(position, origin, position);
+        vec_quat_rotate(turn, position, position);
+        for (int i = 0; i < 3; i++)
+            position[i] += origin[i];
+        vec_quat_rotate(turn, vertices[v].normal, vertices[v].normal);
     }
 }
 

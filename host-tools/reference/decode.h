@@ -64,6 +64,11 @@ void decode_view(const struct scene_header *scene, uint32_t time_ms, unsigned wi
 void decode_vertices(const struct scene_header *scene, const struct scene_object *object, uint32_t time_ms,
                      struct decode_vertex *vertices);
 
+/* Turns them about the object's own origin as glint_turn() says: the front right by `yaw`, then up by `pitch`, as the
+ * eye sees it, in 1/65536 turns. */
+void decode_turn(const struct scene_header *scene, const struct scene_object *object, uint32_t time_ms, uint16_t yaw,
+                 uint16_t pitch, struct decode_vertex *vertices);
+
 void decode_material(const struct scene_header *scene, unsigned index, struct decode_material *material);
 
 /* Half the loss of the vertices' dot product along edge e, (1 - Ni.Nj) / 2. */

@@ -15,19 +15,24 @@ struct triangle_corner {
     /* In the picture: 1/16 pixel from the centre, y down. Whole numbers in doubles: exact up to 2^26, far beyond any
      * picture, and what lies outside only has its edges misplaced there. */
     double x, y, closeness;
+    const int16_t *placed; /* as in struct triangle_target, of a corner of the mesh */
 };
 
-static double triangle_snap(double pixels)
+/* `placed` is null or where it was rounded to. */
+static double triangle_snap(double pixels, const int16_t *placed)
 {
+    if (placed && fabs(16 * pixels - *placed) <= .5 + 1 / 64.)
+        return *placed;
     return floor(16 * pixels + .5);
 }
 
 static void triangle_project(const struct decode_view *view, struct triangle_corner *corner)
 {
     const double *eye = corner->vertex.position;
+    const int16_t *placed = corner->placed;
     double scale = view->perspective ? view->focal / -eye[2] : view->focal;
-    corner->x = triangle_snap(scale * eye[0]);
-    corner->y = triangle_snap(-scale * eye[1]);
+    corner->x = triangle_snap(scale * eye[0], placed);
+    corner->y = triangle_snap(-scale * eye[1], placed ? placed + 1 : NULL);
     corner->closeness = view->perspective ? -1 / eye[2] : eye[2];
 }
 
@@ -81,12 +86,13 @@ static void triangle_pixel(struct triangle_target *target, const struct decode_m
     for (int i = 0; i < 3; i++)
         closeness += screen[i] * p[i].closeness;
     double limit = view->perspective ? 1 / view->far_plane : -view->far_plane;
-    if (closeness < limit || closeness <= target->depth[index])
+    double nearness = target->drawn ? fmin(screen[0], fmin(screen[1], screen[2])) : closeness;
+    if ((closeness < limit && !target->drawn) || nearness <= target->depth[index])
         return;
     triangle_unproject(p, screen, view->perspective ? closeness : 0, space);
     triangle_textured(shading, material, shading->method->perspective ? space : screen, space, image->channels, colour);
     fog_apply(&view->fog, view->perspective ? 1 / closeness : -closeness, image->channels, colour);
-    target->depth[index] = closeness;
+    target->depth[index] = nearness;
     image->coverage += !image->covered[index];
     image->covered[index] = 1;
     for (unsigned c = 0; c < image->channels; c++)
@@ -106,20 +112,26 @@ static void triangle_fill(struct triangle_target *target, const struct decode_ma
                           struct shading *shading, const struct triangle_corner p[3], double area)
 {
     unsigned left, right, top, bottom, width = target->image->width, height = target->image->height;
-    triangle_range(fmin(p[0].x, fmin(p[1].x, p[2].x)), fmax(p[0].x, fmax(p[1].x, p[2].x)), width, &left, &right);
-    triangle_range(fmin(p[0].y, fmin(p[1].y, p[2].y)), fmax(p[0].y, fmax(p[1].y, p[2].y)), height, &top, &bottom);
+    const double beside = target->drawn ? 16 : 0; /* drawn there by a rounding */
+    triangle_range(fmin(p[0].x, fmin(p[1].x, p[2].x)) - beside, fmax(p[0].x, fmax(p[1].x, p[2].x)) + beside, width,
+                   &left, &right);
+    triangle_range(fmin(p[0].y, fmin(p[1].y, p[2].y)) - beside, fmax(p[0].y, fmax(p[1].y, p[2].y)) + beside, height,
+                   &top, &bottom);
     for (unsigned row = top; row < bottom; row++) {
         for (unsigned column = left; column < right; column++) {
             double x = 16. * column + 8 - 8. * width, y = 16. * row + 8 - 8. * height, screen[3];
-            bool inside = true;
-            for (int i = 0; i < 3 && inside; i++) {
+            const size_t index = (size_t)row * width + column;
+            bool inside = true, wanted = target->drawn && target->drawn[index] == target->triangle;
+            if (target->drawn && !wanted)
+                continue;
+            for (int i = 0; i < 3 && (inside || wanted); i++) {
                 const struct triangle_corner *a = p + (i + 1) % 3, *b = p + (i + 2) % 3;
                 double side = triangle_side(a, b, x, y);
-                inside = triangle_inside(a, b, side);
+                inside = inside && triangle_inside(a, b, side);
                 screen[i] = side / area;
             }
-            if (inside)
-                triangle_pixel(target, material, shading, p, screen, (size_t)row * width + column);
+            if (inside || wanted)
+                triangle_pixel(target, material, shading, p, screen, index);
         }
     }
 }
@@ -220,8 +232,10 @@ void triangle_draw(struct triangle_target *target, const struct decode_material 
     double near = target->view->near_plane;
     struct triangle_corner p[3] = {{.place = {1, 0, 0}}, {.place = {0, 1, 0}}, {.place = {0, 0, 1}}}, kept[4];
     int count = 0, cuts = 0;
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; i++) {
         p[i].vertex = corner[i];
+        p[i].placed = target->corner_placed[i];
+    }
     for (int i = 0; i < 3; i++) {
         const struct triangle_corner *a = p + i, *b = p + (i + 1) % 3;
         bool a_in = -a->vertex.position[2] >= near, b_in = -b->vertex.position[2] >= near;
