@@ -127,7 +127,7 @@ struct glint_config {
     uint16_t width, height; /* of the picture, 1..2048 */
     uint16_t band_rows;     /* rows a band, 1..height */
     uint8_t format;         /* enum glint_format */
-    uint8_t flags;          /* GLINT_DITHER, GLINT_NO_PLAN */
+    uint8_t flags;          /* GLINT_DITHER, GLINT_NO_PLAN, GLINT_EVERY_ZIGZAG */
     const struct glint_method *method;
     const struct glint_power *power; /* null: the table */
     uint8_t texture;                 /* enum glint_texture */
@@ -166,6 +166,10 @@ struct glint_stats {
     uint32_t highlight_tests;       /* triangles tested for a highlight, when the frame begins: those of all objects */
     uint32_t potentially_highlighted; /* those of them that may hold one's centre */
     uint32_t setups;                  /* triangle set-ups: one a triangle and band that it touches */
+    uint32_t turned;                  /* triangles of which the back is seen, and drawn */
+    uint32_t fogged;                  /* of the drawn: those that some fog reaches */
+    uint32_t fogged_by_pixel;         /* of them, those whose fog is found for each pixel anew */
+    uint32_t fogged_wholly;           /* of them, those that are all fog: unlit */
     /* Of the drawn by auto: what was left out, and the bound of the error that this allows. */
     uint32_t hidden_lights;      /* pairs of a triangle and a light that reaches no pixel of it: exact */
     uint32_t hidden_highlights;  /* whose highlight reaches none: exact */
