@@ -42,7 +42,7 @@ struct shade_input {
 /* Channels: per light N.L then N.H (x, six, duff), finished colours (gouraud, color6), or the normal's components
  * and the place's (phong, overveld, biquadratic). */
 #define SHADE_MAX_CHANNELS (2 * SCENE_MAX_LIGHTS + 1)
-#define SHADE_WEIGHT       6 /* beside places in perspective: W of shade/perspective.h, Q30 */
+#define SHADE_WEIGHT       6                      /* beside places in perspective: W of shade/perspective.h, Q30 */
 #define SHADE_SQUARE       (2 * SCENE_MAX_LIGHTS) /* duff: the squared length of the normal */
 
 /*
