@@ -84,7 +84,7 @@ static inline __attribute__((always_inline)) void add_light(struct raster *r, in
     highlight += (highlight >> 17) * lacks >> 12; /* 2^13 (1 + 2^-12) * 2^17 */
     uint32_t power = formed ? surface_power(s, highlight) : fx_power(s->power, highlight);
     for (unsigned c = 0; c < surface_channels(s); c++)
-        r->sum[i][c] += surface_diffuse(power, s->light[l].specular[c]);
+        r->gloss[3 * i + (int)c] += surface_diffuse(power, s->light[l].specular[c]);
 }
 
 /* By a W of their own: the depth's is exact to a part of the picture's nearest depth, which is not enough of a triangle

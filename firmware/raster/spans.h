@@ -143,21 +143,31 @@ static inline __attribute__((always_inline)) void spans_step(uint32_t *value, ui
         fx_step(step, second);
 }
 
-/*
- * Pixels [at, end) of the band. *hidden counts those that are not the nearest; it stays in memory, as the loops need the
- * registers. Pixel and depth have one pointer between them where their steps are powers of 2.
- */
-FX_WRAPS static inline __attribute__((always_inline)) void spans_pixels(const struct raster *r, struct spans_values v,
+/* Where pixels are: `base` and `step` of what is counted from (grey: the pixels, else depths), and of RGB888's pixels;
+ * from one to the other where they have one pointer between them, as their steps are powers of 2. */
+struct spans_place {
+    uintptr_t base, to_other, pixels;
+};
+
+static inline struct spans_place spans_find(const struct raster *r, unsigned kind)
+{
+    const uintptr_t pixels = (uintptr_t)r->pixels, depth = (uintptr_t)r->depth;
+    if (kind & SPANS_GREY8)
+        return (struct spans_place){pixels, depth - 2 * pixels, 0};
+    return (struct spans_place){depth, pixels - depth, pixels};
+}
+
+/* Pixels [at, end) of the band. *hidden counts those that are not the nearest; it stays in memory, as the loops need the
+ * registers. */
+FX_WRAPS static inline __attribute__((always_inline)) void spans_pixels(struct spans_place place, struct spans_values v,
                                                                         uint32_t at, uint32_t end,
                                                                         const struct spans_look *look,
                                                                         volatile uint32_t *hidden, unsigned kind)
 {
-    const unsigned step = kind & SPANS_GREY8 ? 1 : 2; /* of what p counts: grey pixels, or depths */
-    uintptr_t p = (kind & SPANS_GREY8 ? (uintptr_t)r->pixels : (uintptr_t)r->depth) + step * (uintptr_t)at;
-    const uintptr_t last = p + step * (uintptr_t)(end - at);
-    uintptr_t other = kind & SPANS_GREY8    ? (uintptr_t)r->depth - 2 * (uintptr_t)r->pixels
-                      : kind & SPANS_RGB888 ? (uintptr_t)r->pixels + 3 * (uintptr_t)at
-                                            : (uintptr_t)r->pixels - (uintptr_t)r->depth;
+    const unsigned step = kind & SPANS_GREY8 ? 1 : 2;
+    uintptr_t p = place.base + step * (uintptr_t)at;
+    const uintptr_t last = place.base + step * (uintptr_t)end;
+    uintptr_t other = kind & SPANS_RGB888 ? place.pixels + 3 * (uintptr_t)at : place.to_other;
     const int quadratic = (kind & SPANS_QUADRATIC) != 0;
     do {
         if (kind & SPANS_GREY8)
@@ -229,6 +239,7 @@ FX_WRAPS static inline __attribute__((always_inline)) uint32_t spans_draw(struct
     const uint32_t width = r->width, ox = (uint32_t)setup->plane.ox;
     volatile uint32_t hidden = 0;
     uint32_t j = (uint32_t)(e->row - setup->plane.oy), row = (uint32_t)(e->row - r->y0) * width, covered = 0;
+    const struct spans_place place = spans_find(r, kind);
     struct spans_values v = spans_at(setup, 0u - ox, j, kind); /* linear: at the row's column 0 */
     if (kind & SPANS_COLOUR) { /* to the nearest step */
         v.l += 1u << 23;
@@ -253,7 +264,7 @@ FX_WRAPS static inline __attribute__((always_inline)) uint32_t spans_draw(struct
                 }
                 const uint32_t at = row + (uint32_t)x;
                 covered += (uint32_t)n;
-                spans_pixels(r, first, at, at + (uint32_t)n, &look, &hidden, kind);
+                spans_pixels(place, first, at, at + (uint32_t)n, &look, &hidden, kind);
             }
             if (quadratic) {
                 j++;

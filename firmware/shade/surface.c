@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "shade/surface.h"
 
+#include "plan/curve.h"
+
 /* Product of two Q15 numbers of at most 1, rounded. */
 static uint32_t times(uint32_t a, uint32_t b)
 {
@@ -44,11 +46,42 @@ static uint16_t reflected(const struct palette *palette, const uint16_t material
     return most;
 }
 
+/* In grey a texel counts as the luma that it gives the diffuse colour, of what that has itself: exact under lights
+ * without a hue. */
+static void weigh(const uint16_t diffuse[3], uint16_t grey[3])
+{
+    static const uint8_t share[3] = {77, 150, 29};
+    uint32_t part[3], sum = 0, rest = 256;
+    for (unsigned c = 0; c < 3; c++) { /* 2^15 * 150, and with it 2^8 more: below 2^31 */
+        part[c] = share[c] * (uint32_t)diffuse[c];
+        sum += part[c];
+    }
+    for (unsigned c = 2; c > 0; c--) {
+        grey[c] = (uint16_t)(sum ? ((part[c] << 8) + sum / 2) / sum : share[c]);
+        rest -= grey[c];
+    }
+    grey[0] = (uint16_t)rest;
+}
+
+FX_COLD static void take_texture(struct surface_texture *texture, const struct scene_header *scene,
+                                 const struct scene_material *material)
+{
+    texture->texels = 0;
+    if (material->texture == SCENE_NO_TEXTURE)
+        return;
+    texture->head = scene_textures(scene) + material->texture;
+    texture->texels = scene_at(scene, texture->head->texels);
+    texture->palette = scene_at(scene, texture->head->palette);
+    weigh(material->diffuse, texture->grey);
+}
+
 FX_COLD void surface_setup(struct surface *surface, const struct scene_header *scene,
                            const struct scene_material *material, const struct palette *palette)
 {
     static const uint8_t limit[SCENE_MAX_LIGHTS + 1] = {128, 128, 64, 42, 32, 25, 21, 18, 16}; /* 128 / lights */
     uint32_t rgb[3];
+    if (USES(USES_TEXTURE))
+        take_texture(&surface->texture, scene, material);
     surface->power = scene_powers(scene) + material->power;
     surface->plan.power = 0;
     surface->channels = palette->channels;
@@ -104,6 +137,7 @@ FX_COLD void surface_plan(struct surface *surface, const struct palette *palette
     plan->power = surface->power;
     plan->lights = surface->lights;
     plan->highlights = surface->highlights;
+    plan->duff_bend = CURVE_MOST_BEND;
     plan->foot = (int16_t)((1 << 14) - ((1 << 14) >> surface->power->octave));
     for (unsigned c = 0; c < surface->channels; c++) {
         const uint32_t ambient = in_255(surface->base[c] >> 7, palette->top[c]);

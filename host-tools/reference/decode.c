@@ -130,6 +130,15 @@ static void decode_light(const struct scene_header *scene, const struct scene_li
     }
 }
 
+static void decode_fog(const struct scene_fog *packed, struct decode_fog *fog)
+{
+    fog->kind = packed->kind;
+    decode_colour(packed->colour, fog->colour);
+    fog->from = decode_q(packed->from, 16);
+    fog->to = decode_q(packed->to, 16);
+    fog->density = ldexp(packed->density, -24);
+}
+
 void decode_view(const struct scene_header *scene, uint32_t time_ms, unsigned width, unsigned height,
                  struct decode_view *view)
 {
@@ -144,6 +153,7 @@ void decode_view(const struct scene_header *scene, uint32_t time_ms, unsigned wi
     view->near_plane = decode_q(camera->near_plane, 16);
     view->far_plane = decode_q(camera->far_plane, 16);
     decode_colour(scene->background, view->background);
+    decode_fog(&scene->fog, &view->fog);
     view->light_count = scene->light_count;
     for (unsigned i = 0; i < view->light_count; i++)
         decode_light(scene, scene_lights(scene) + i, time_ms, &eye, view->lights + i);
@@ -163,6 +173,7 @@ void decode_vertices(const struct scene_header *scene, const struct scene_object
 {
     const struct scene_mesh *mesh = scene_meshes(scene) + object->mesh;
     const struct scene_vertex *packed = scene_at(scene, mesh->vertices);
+    const int16_t(*uvs)[2] = mesh->uvs ? scene_at(scene, mesh->uvs) : NULL;
     struct decode_pose pose, eye;
     double centre[3], extent = decode_q(mesh->extent, 16);
     decode_object(scene, object, time_ms, &pose);
@@ -174,6 +185,8 @@ void decode_vertices(const struct scene_header *scene, const struct scene_object
             position[i] = centre[i] + extent * decode_q(packed[v].position[i], 15);
             normal[i] = decode_q(packed[v].normal[i], 14);
         }
+        for (int k = 0; k < 2; k++)
+            vertices[v].uv[k] = uvs ? decode_q(uvs[v][k], 12) : 0;
         decode_apply(&pose, position, position);
         decode_apply(&eye, position, vertices[v].position);
         vec_quat_rotate(pose.rotation, normal, normal);
@@ -219,6 +232,16 @@ void decode_material(const struct scene_header *scene, unsigned index, struct de
         material->specular[c] *= decode_q(packed->ks, 15);
     }
     material->shininess = packed->shininess;
+    material->texture.scene = scene;
+    material->texture.head = packed->texture == SCENE_NO_TEXTURE ? NULL : scene_textures(scene) + packed->texture;
+    decode_colour(packed->diffuse, material->grey);
+    const double share[3] = {.299, .587, .114};
+    double sum = 0;
+    for (unsigned c = 0; c < 3; c++)
+        sum += material->grey[c] *= share[c];
+    for (unsigned c = 0; c < 3; c++)
+        material->grey[c] = sum > 0 ? material->grey[c] / sum : share[c];
+    material->two_sided = (packed->flags & MATERIAL_TWO_SIDED) != 0;
 }
 
 double decode_bend(const struct scene_triangle *triangle, unsigned e)

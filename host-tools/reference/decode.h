@@ -17,6 +17,12 @@
 struct decode_vertex {
     double position[3];
     double normal[3]; /* as packed: its length within 2^-13 of 1 */
+    double uv[2];
+};
+
+struct decode_texture {
+    const struct scene_header *scene;
+    const struct scene_texture *head; /* null: none */
 };
 
 struct decode_material {
@@ -24,6 +30,9 @@ struct decode_material {
     double diffuse[3];  /* diffuse * kd */
     double specular[3]; /* specular * ks */
     double shininess;
+    struct decode_texture texture;
+    double grey[3]; /* what a texel's channels count where one is shaded: luma of the diffuse colour, of sum 1 */
+    bool two_sided;
 };
 
 struct decode_light {
@@ -32,11 +41,17 @@ struct decode_light {
     double colour[3];
 };
 
+struct decode_fog {
+    int kind; /* enum scene_fog_kind */
+    double colour[3], from, to, density;
+};
+
 struct decode_view {
     bool perspective, local_viewer;
     double focal; /* pixels, for the picture's size */
     double near_plane, far_plane;
     double background[3];
+    struct decode_fog fog;
     unsigned light_count;
     struct decode_light lights[SCENE_MAX_LIGHTS];
 };

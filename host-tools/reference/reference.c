@@ -20,6 +20,7 @@ static void reference_triangle(struct triangle_target *target, const struct scen
     struct decode_material material;
     double bend[3];
     target->highlight = false;
+    target->edges = triangle->flags;
     for (unsigned i = 0; i < 3; i++) {
         corner[i] = mesh->vertex[triangle->corner[i]];
         target->corner_placed[i] = target->placed ? target->placed[triangle->corner[i]] : NULL;
