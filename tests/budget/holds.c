@@ -95,6 +95,7 @@ static int report(const char *path, const char *output, const struct measure *m,
             printf(
                 "  budget %g: %.2f of a truth of %.2f at (%u, %u), channel %u, triangle %u, turned by %u %u at %u ms\n",
                 budgets[b], w->error, w->truth, w->x, w->y, w->channel, w->triangle, v->yaw, v->pitch, v->time_ms);
+        break;
     }
     fflush(stdout);
     return bad;
