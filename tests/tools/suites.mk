@@ -57,6 +57,14 @@ suite-core: $(BENCH_ELF) $(SIZE_ELF)
 	for cpu in $(CPUS); do $(call stack_tool,$$cpu) --limit 1024 || status=1; done; \
 	$(MAKE) suite-size || status=1; exit $$status
 
+# Scenes, and parts of the random ones, side by side.
+BUDGET_BIN := $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/budget/*.c))
+BUDGET_SCENES := $(wildcard tests/scenes/*.json tests/golden/*.json)
+BUDGET_RANDOM := 0 5000 10000 15000
+suite-budget: $(BUDGET_BIN)
+	@status=0; printf '%s\n' $(BUDGET_SCENES) | xargs -P "$$(nproc)" -n 1 $(BUILD)/tests/budget/holds || status=1; \
+	printf '%s 5000\n' $(BUDGET_RANDOM) | xargs -P "$$(nproc)" -n 2 $(BUILD)/tests/budget/random || status=1; exit $$status
+
 suite-golden: $(SCENE_C)
 	@status=0; for flavour in $(MATRIX); do \
 		$(MAKE) BUILD=$(BUILD)/matrix/$$flavour CC=$${flavour%-*} OPT=-$${flavour#*-} $(BUILD)/matrix/$$flavour/golden && \
@@ -172,6 +180,6 @@ lint-run:
 	clang-tidy --quiet --warnings-as-errors='*' $(CORE_SRC) $(HOST_SRC) -- -std=c11 -D_XOPEN_SOURCE=700 $(INCLUDE) \
 		$(PACKAGE_FLAGS) $(VIEW_FLAGS) || status=1; exit $$status
 
-.PHONY: suite-unit suite-exhaustive suite-cli suite-models suite-core suite-golden suite-device suite-docs suite-sanitize \
+.PHONY: suite-unit suite-budget suite-exhaustive suite-cli suite-models suite-core suite-golden suite-device suite-docs suite-sanitize \
 	suite-sanitized suite-bench bench-table bench-setup-table bench-stream-table report-page profile-run size-table stack-table golden-update lint-run \
 	always
