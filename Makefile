@@ -222,6 +222,7 @@ include tests/tools/arm.mk
 include tests/tools/boards.mk
 include boards/linux/linux.mk
 include tests/tools/suites.mk
+include tests/tools/choices.mk
 include tests/tools/rp2040.mk
 include tests/tools/linux.mk
 include tests/tools/faults.mk

@@ -14,7 +14,7 @@ COLD_SRC := $(wildcard firmware/app/*.c firmware/scene/*.c firmware/stream/*.c h
 SETUP_SRC := $(wildcard tests/setups/setup_*.c)
 # Of the program for Linux, what wants neither libgpiod nor a device.
 LINUX_PARTS := $(filter-out hal/linux/gpio_v% %/kernel.c %/main.c,$(wildcard hal/linux/*.c boards/linux/*.c))
-HOST_SRC := $(wildcard hal/host/*.c hal/panels/*.c host-tools/*/*.c) $(SETUP_SRC) $(LINUX_PARTS) \
+HOST_SRC := $(wildcard hal/host/*.c hal/panels/*.c host-tools/*/*.c) $(SETUP_SRC) tests/choices/parts.c $(LINUX_PARTS) \
 	$(filter-out %/main.c %/start.c,$(wildcard firmware/app/*.c))
 UNIT_SRC := $(wildcard tests/unit/test_*.c)
 EXHAUSTIVE_SRC := $(wildcard tests/exhaustive/*.c)
