@@ -6,6 +6,7 @@
 #include "host/sink.h"
 #include "report/angle.h"
 #include "report/boards.h"
+#include "report/choices.h"
 #include "report/page.h"
 #include "report/powers.h"
 #include "report/streams.h"
@@ -35,6 +36,7 @@ static const char report_help[] =
     "      --stream SCENE   measures the bytes of its pictures as a stream, for a section of all scenes so given\n"
     "      --packing FILE   cpu,scene,format,codec,pixels,bytes,instructions: of `make bench-stream`, for that "
     "section\n"
+    "      --choices FILE   choice,value,where,figure,number: of tests/choices; with it the page has their tables\n"
     "      --boards FILE    board,what,figure,unit,number: of `make bench-boards`; with it the page has their tables\n"
     "      --methods A,B    some of `glint methods`; default all\n"
     "      --help\n";
@@ -42,7 +44,7 @@ static const char report_help[] =
 enum report_file { REPORT_PAGE, REPORT_TABLE, REPORT_STREAM, REPORT_FILES };
 
 struct report {
-    const char *folder, *boards_path;
+    const char *folder, *boards_path, *choices_path;
     const char **methods, **streams; /* streams: scenes' paths */
     unsigned method_count, stream_count;
     struct costs costs; /* its paths are the options' */
@@ -82,12 +84,17 @@ static bool report_choose(struct report *report, const char *names)
 /* Exit code, or -1 to go on. */
 static int report_parse(struct report *report, int argc, char **argv)
 {
-    static const struct option long_options[] = {
-        {"output", required_argument, NULL, 'o'}, {"costs", required_argument, NULL, 'c'},
-        {"flash", required_argument, NULL, 'f'},  {"methods", required_argument, NULL, 'm'},
-        {"powers", required_argument, NULL, 'p'}, {"boards", required_argument, NULL, 'b'},
-        {"stream", required_argument, NULL, 's'}, {"packing", required_argument, NULL, 'k'},
-        {"help", no_argument, NULL, 'h'},         {0}};
+    static const struct option long_options[] = {{"output", required_argument, NULL, 'o'},
+                                                 {"costs", required_argument, NULL, 'c'},
+                                                 {"flash", required_argument, NULL, 'f'},
+                                                 {"methods", required_argument, NULL, 'm'},
+                                                 {"powers", required_argument, NULL, 'p'},
+                                                 {"boards", required_argument, NULL, 'b'},
+                                                 {"stream", required_argument, NULL, 's'},
+                                                 {"packing", required_argument, NULL, 'k'},
+                                                 {"choices", required_argument, NULL, 'x'},
+                                                 {"help", no_argument, NULL, 'h'},
+                                                 {0}};
     int option;
     for (unsigned m = 0; m < glint_choice_count; m++)
         report->methods[report->method_count++] = glint_choices[m].name;
@@ -113,6 +120,9 @@ static int report_parse(struct report *report, int argc, char **argv)
             break;
         case 'k':
             report->costs.streams_path = optarg;
+            break;
+        case 'x':
+            report->choices_path = optarg;
             break;
         case 'm':
             if (!report_choose(report, optarg))
@@ -166,8 +176,11 @@ static int report_scenes(struct report *report, const char *const paths[], unsig
     FILE *page = report->sink[REPORT_PAGE].stream, *table = report->sink[REPORT_TABLE].stream;
     struct progress progress;
     int code = CLI_DONE;
-    page_begin(page, paths, count, report->costs.powers_path != NULL, report->stream_count > 0,
-               report->boards_path != NULL);
+    const struct page_sections sections = {.power = report->costs.powers_path != NULL,
+                                           .choices = report->choices_path != NULL,
+                                           .streams = report->stream_count > 0,
+                                           .boards = report->boards_path != NULL};
+    page_begin(page, paths, count, &sections);
     page_csv_head(table);
     progress_begin(&progress, false);
     for (unsigned i = 0; !code && i < count; i++) {
@@ -189,6 +202,8 @@ static int report_scenes(struct report *report, const char *const paths[], unsig
         code = angle_write(page);
     if (!code && report->costs.powers_path)
         code = powers_write(page, paths[0], &report->costs);
+    if (!code && report->choices_path)
+        code = choices_write(page, report->choices_path);
     if (!code && report->stream_count)
         code = streams_write(page, report->sink[REPORT_STREAM].stream, report->streams, report->stream_count,
                              &report->costs);

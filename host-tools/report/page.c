@@ -31,7 +31,7 @@ static const char page_style[] =
     ".3em;text-align:center;border:0}\n"
     "figcaption{font-size:.95rem;margin-top:.4em}\n";
 
-void page_begin(FILE *out, const char *const paths[], unsigned count, bool powers, bool streams, bool boards)
+void page_begin(FILE *out, const char *const paths[], unsigned count, const struct page_sections *sections)
 {
     char name[SURVEY_NAME];
     fprintf(out,
@@ -55,10 +55,18 @@ void page_begin(FILE *out, const char *const paths[], unsigned count, bool power
     for (unsigned i = 0; i < count; i++)
         if (survey_name(paths[i], name))
             fprintf(out, "<a href=\"#%s\">%s</a>\n", name, name);
-    fprintf(out, "<a href=\"#angle\">X-shading\u2019s error</a>\n%s%s%s</nav>\n",
-            powers ? "<a href=\"#power\">The highlight\u2019s power</a>\n" : "",
-            streams ? "<a href=\"#stream\">As a stream</a>\n" : "",
-            boards ? "<a href=\"#boards\">On boards</a>\n" : "");
+    const struct {
+        const char *id, *title;
+        bool there;
+    } links[] = {{"angle", "X-shading\u2019s error", true},
+                 {"power", "The highlight\u2019s power", sections->power},
+                 {"choices", "Fixed-point choices", sections->choices},
+                 {"stream", "As a stream", sections->streams},
+                 {"boards", "On boards", sections->boards}};
+    for (unsigned i = 0; i < sizeof links / sizeof *links; i++)
+        if (links[i].there)
+            fprintf(out, "<a href=\"#%s\">%s</a>\n", links[i].id, links[i].title);
+    fprintf(out, "</nav>\n");
 }
 
 static const char *page_class(const struct survey_row *row)
