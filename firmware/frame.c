@@ -42,7 +42,9 @@ static void begin_raster(struct raster *r, const struct glint_frame *f)
 {
     const struct scene_header *scene = f->scene;
     r->surface_material = RASTER_NO_MATERIAL;
+    r->input.plan = (struct shade_plan){0};
     r->surface.form = f->config.power;
+    r->budget = f->config.budget ? f->config.budget : PLAN_BUDGET;
     r->input.surface = &r->surface;
     r->input.colours = 0;
     r->input.sampled = f->config.power || scene->camera.viewer != VIEWER_INFINITE;
@@ -56,6 +58,11 @@ void glint_turn(struct glint_frame *f, uint16_t yaw, uint16_t pitch)
 {
     f->yaw = yaw;
     f->pitch = pitch;
+}
+
+void glint_set_budget(struct glint_frame *f, uint16_t budget_q8)
+{
+    f->config.budget = budget_q8;
 }
 
 FX_COLD int glint_frame_begin(struct glint_frame *f, const void *scene, uint32_t time_ms)
@@ -139,6 +146,26 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
         take_material(r, f->scene, triangle->material);
 }
 
+static uint32_t bits(unsigned set)
+{
+    uint32_t count = 0;
+    for (; set; set &= set - 1)
+        count++;
+    return count;
+}
+
+/* What a plan left out. */
+static void count_plan(struct glint_stats *stats, const struct shade_plan *plan)
+{
+    stats->hidden_lights += bits(plan->hidden_lights);
+    stats->hidden_highlights += bits(plan->hidden_highlights);
+    stats->dropped_highlights += bits(plan->dropped_highlights);
+    stats->straightened += bits(plan->diffuse & ~plan->diffuse_bent) + bits(plan->specular & ~plan->specular_bent);
+    stats->undivided += plan->undivided;
+    if (plan->error > stats->largest_error)
+        stats->largest_error = plan->error;
+}
+
 static void draw_triangle(struct glint_frame *f, const struct triangle_ref *ref)
 {
     struct raster *r = f->raster;
@@ -148,7 +175,7 @@ static void draw_triangle(struct glint_frame *f, const struct triangle_ref *ref)
     struct edges edges;
     gather(f, ref);
     if (method->choose)
-        method = method->choose(in);
+        method = method->choose(r);
     f->stats.setups++;
     if (!edges_setup(&edges, in->place, r->width, r->height, r->y0, r->y1) ||
         !plane_setup(&setup->plane, in->place, r->width, r->height))
@@ -165,6 +192,8 @@ static void draw_triangle(struct glint_frame *f, const struct triangle_ref *ref)
     f->stats.specular_triangles += setup->specular_lights != 0;
     f->stats.linear_triangles +=
         (method->id == GLINT_X || method->id == GLINT_SIX) && !setup->quadratic && !setup->perspective;
+    if (f->config.method->choose)
+        count_plan(&f->stats, &in->plan);
 }
 
 int glint_frame_band(struct glint_frame *f, unsigned index, void *pixels, struct glint_band *band)
@@ -237,4 +266,11 @@ void glint_worker_end(const struct glint_frame *worker, struct glint_frame *f)
     f->stats.specular_triangles += worker->stats.specular_triangles;
     f->stats.linear_triangles += worker->stats.linear_triangles;
     f->stats.setups += worker->stats.setups;
+    f->stats.hidden_lights += worker->stats.hidden_lights;
+    f->stats.hidden_highlights += worker->stats.hidden_highlights;
+    f->stats.dropped_highlights += worker->stats.dropped_highlights;
+    f->stats.straightened += worker->stats.straightened;
+    f->stats.undivided += worker->stats.undivided;
+    if (worker->stats.largest_error > f->stats.largest_error)
+        f->stats.largest_error = worker->stats.largest_error;
 }

@@ -63,7 +63,13 @@ extern const struct glint_method glint_subdivide_highlight; /* adaptive: at the 
 extern const struct glint_method glint_hybrid_phong;        /* adaptive: by phong */
 extern const struct glint_method glint_hybrid_x;            /* adaptive: by x */
 
-/* Their places in the statistics; the adaptive ones count under what they draw by. */
+/* The cheapest way, a triangle, that keeps every pixel within `budget` of per-pixel Phong with the scene's own effects:
+ * nothing but the ambient part, one colour, gouraud, N.L and N.H linear or quadratic each, duff or phong; and of each
+ * light's parts only those that can show. firmware/plan/README.md has the bounds. */
+extern const struct glint_method glint_auto;
+#define GLINT_BUDGET(num, den) ((uint16_t)((256u * (num) + (den) / 2) / (den))) /* num/den 255ths as config.budget */
+
+/* Their places in the statistics; the adaptive ones and auto count under what they draw by. */
 enum glint_method_id {
     GLINT_FLAT,
     GLINT_GOURAUD,
@@ -75,6 +81,9 @@ enum glint_method_id {
     GLINT_OVERVELD,
     GLINT_BIQUADRATIC,
     GLINT_SUBDIVIDE,
+    GLINT_DARK,     /* auto: the ambient part alone */
+    GLINT_CONSTANT, /* auto: one colour */
+    GLINT_LINEAR,   /* auto: N.L and N.H linear; GLINT_SIX: one of them at least quadratic */
     GLINT_METHODS
 };
 
@@ -118,6 +127,9 @@ struct glint_config {
     uint8_t max_lights; /* 0..8; a scene with more is not drawn (GLINT_E_SCENE) */
     uint8_t tables;     /* 16 KiB colour tables, one a material under one light: RGB565's fast path. 0: none */
 
+    uint16_t budget; /* of auto: how far a pixel may be off, Q8 in 1/255 of full intensity; 0: 2.0. Integer roundings
+                        add at most 1.5/255 (and half a step in formats of fewer bits) */
+
     /* when the subdividing methods split; 0: the default */
     uint8_t subdivide_tolerance; /* 1/255 of full intensity; default 4 */
     uint8_t subdivide_threshold; /* of a colour between a corner's and the true one, 1/256; default 77, .3 */
@@ -138,6 +150,13 @@ struct glint_stats {
     uint32_t highlight_tests;       /* triangles tested for a highlight, when the frame begins: those of all objects */
     uint32_t potentially_highlighted; /* those of them that may hold one's centre */
     uint32_t setups;                  /* triangle set-ups: one a triangle and band that it touches */
+    /* Of the drawn by auto: what was left out, and the bound of the error that this allows. */
+    uint32_t hidden_lights;      /* pairs of a triangle and a light that reaches no pixel of it: exact */
+    uint32_t hidden_highlights;  /* whose highlight reaches none: exact */
+    uint32_t dropped_highlights; /* whose highlight is too faint for the budget */
+    uint32_t straightened;       /* dot products drawn linear where six would bend them */
+    uint32_t undivided;          /* triangles of a perspective view drawn without perspective correction */
+    uint16_t largest_error;      /* of all triangles, Q8 in 1/255; at most the budget */
 };
 
 struct glint_band {
@@ -192,6 +211,9 @@ int glint_init(struct glint_frame *frame, const struct glint_config *config);
  * as seen by the eye, in 1/65536 turns, on top of its animation. Lights and camera stay. 0, 0 costs nothing and is what
  * glint_init() sets. */
 void glint_turn(struct glint_frame *frame, uint16_t yaw, uint16_t pitch);
+
+/* Sets config.budget from the next frame on; 0: 2.0. */
+void glint_set_budget(struct glint_frame *frame, uint16_t budget_q8);
 
 /* Begins the frame at `time_ms` of a checked scene. The scene must stay where it is until the last band. */
 int glint_frame_begin(struct glint_frame *frame, const void *scene, uint32_t time_ms);

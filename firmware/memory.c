@@ -6,7 +6,7 @@
 /* The bytes that README.md promises. */
 _Static_assert(sizeof(struct triangle_ref) == 8, "a listed triangle");
 _Static_assert(sizeof(struct clipped_triangle) == 40, "a piece made by clipping");
-_Static_assert(sizeof(void *) > 4 || (sizeof(struct object_state) == 248 && sizeof(struct raster) == 1828 &&
+_Static_assert(sizeof(void *) > 4 || (sizeof(struct object_state) == 248 && sizeof(struct raster) == 1920 &&
                                       sizeof(struct colour_table) == 16412),
                "an object, the working state, a colour table");
 
@@ -15,10 +15,18 @@ static size_t words(size_t bytes)
     return (bytes + 3) & ~(size_t)3;
 }
 
+/* What this program was built for (uses.h). */
+static int built_for(const struct glint_config *c)
+{
+    return USES(USES_FORMAT(c->format)) && (USES(USES_DITHER) || !(c->flags & GLINT_DITHER)) &&
+           (USES(USES_POWERS) || !c->power);
+}
+
 static int valid(const struct glint_config *c)
 {
     return c && c->width && c->width <= GLINT_MAX_SIZE && c->height && c->height <= GLINT_MAX_SIZE && c->band_rows &&
-           c->band_rows <= c->height && c->format < GLINT_FORMATS && c->method && c->max_lights <= SCENE_MAX_LIGHTS;
+           c->band_rows <= c->height && c->format < GLINT_FORMATS && c->method && c->max_lights <= SCENE_MAX_LIGHTS &&
+           built_for(c);
 }
 
 size_t glint_row_bytes(const struct glint_config *c)

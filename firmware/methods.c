@@ -23,6 +23,7 @@ const struct glint_choice glint_choices[] = {
     {"subdivide-highlight", &glint_subdivide_highlight},
     {"subdivide-hybrid", &glint_hybrid_phong},
     {"subdivide-hybrid-x", &glint_hybrid_x},
+    {"auto", &glint_auto},
 };
 
 const unsigned glint_choice_count = sizeof glint_choices / sizeof *glint_choices;
@@ -38,4 +39,7 @@ const char *const glint_method_names[GLINT_METHODS] = {
     [GLINT_OVERVELD] = "overveld",
     [GLINT_BIQUADRATIC] = "biquadratic",
     [GLINT_SUBDIVIDE] = "subdivide",
+    [GLINT_DARK] = "dark",
+    [GLINT_CONSTANT] = "constant",
+    [GLINT_LINEAR] = "linear",
 };

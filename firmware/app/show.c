@@ -33,6 +33,7 @@ static struct glint_config show_config(const struct app *app)
                                  .memory = board->memory,
                                  .memory_bytes = board->memory_bytes,
                                  .tables = board->format == GLINT_RGB565,
+                                 .budget = GLINT_BUDGET(app->control.budget, 1),
                                  .subdivide_tolerance = app->control.budget};
 }
 

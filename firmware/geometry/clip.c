@@ -15,8 +15,8 @@ static int64_t inside(const struct transform *t, const struct eye_point *e, int 
     int32_t side = plane < BOTTOM ? e->x : e->y;
     int64_t reach;
     /* |z|, |x| < 2^29, GUARD < 2^14 */
-    int down = t->divide ? t->shift - 30 : t->shift;
-    if (t->divide)
+    int down = transform_divides(t) ? t->shift - 30 : t->shift;
+    if (transform_divides(t))
         reach = (int64_t)e->z * GUARD;
     else
         reach = GUARD;

@@ -59,7 +59,7 @@ void object_light_setup(struct object_state *object, const struct scene_header *
 {
     static const q30_t ahead[3] = {0, 0, Q30(1, 1)};
     const struct scene_light *light = scene_lights(scene);
-    if (scene->camera.viewer == VIEWER_INFINITE)
+    if (!USES(USES_LOCAL_VIEWER) || scene->camera.viewer == VIEWER_INFINITE)
         far_point(to_eye, ahead, &object->eye);
     else
         near_point(view->position, object->mesh, pose, &object->eye);
@@ -68,7 +68,7 @@ void object_light_setup(struct object_state *object, const struct scene_header *
         struct object_light *out = &object->light[i];
         int32_t vector[3], turned[3];
         light_vector_at(scene, light, time_ms, vector);
-        if (light->kind == LIGHT_POINT) {
+        if (USES(USES_POINT_LIGHT) && light->kind == LIGHT_POINT) {
             near_point(vector, object->mesh, pose, &out->source);
             object->local |= (uint16_t)out->source.near;
         } else {
@@ -79,7 +79,7 @@ void object_light_setup(struct object_state *object, const struct scene_header *
             vector_normalise(turned, towards);
             far_point(to_eye, towards, &out->source);
         }
-        if (!out->source.near && !object->eye.near) {
+        if (!object_near(&out->source) && !object_near(&object->eye)) {
             int32_t sum[3];
             for (int j = 0; j < 3; j++) {
                 out->towards[j] = (q14_t)out->source.at[j];

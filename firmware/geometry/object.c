@@ -31,7 +31,7 @@ void object_unit(const int32_t v[3], q14_t out[3])
 /* Unit vector towards a point from a place. */
 static void towards_point(const struct object_point *point, const int32_t place[3], q14_t out[3])
 {
-    if (!point->near) {
+    if (!object_near(point)) {
         for (int i = 0; i < 3; i++)
             out[i] = (q14_t)point->at[i];
         return;
@@ -55,7 +55,7 @@ void object_light_at(const struct object_state *object, unsigned light, const in
 {
     const struct object_light *l = &object->light[light];
     towards_point(&l->source, place, towards);
-    if (!l->source.near && !object->eye.near) {
+    if (!object_near(&l->source) && !object_near(&object->eye)) {
         for (int i = 0; i < 3; i++)
             half[i] = l->half[i];
         return;
@@ -109,7 +109,7 @@ int object_place_vertices(const struct object_state *object, const struct scene_
     if (stride > VERTEX_LIGHTS + 2 * lights)
         for (; record != records; record -= stride)
             record[-1] = 0;
-    if (object->local)
+    if (object_local(object))
         light_locally(object, vertices, lights, records, stride);
     return all;
 }

@@ -4,6 +4,7 @@
 #define GLINT_OBJECT_H
 
 #include "geometry/transform.h"
+#include "uses.h"
 
 /*
  * A vertex record begins with int16_t[VERTEX_LIGHTS + 2 * lights]: x and y (28.4, from the picture's centre), depth (as
@@ -35,6 +36,16 @@ struct object_state {
     struct object_point eye;
     struct object_light light[SCENE_MAX_LIGHTS];
 };
+
+/* Whether a place is near, and whether an object sees one that is. */
+static inline int object_near(const struct object_point *point)
+{
+    return USES(USES_POINT_LIGHT | USES_LOCAL_VIEWER) && point->near;
+}
+static inline int object_local(const struct object_state *object)
+{
+    return USES(USES_POINT_LIGHT | USES_LOCAL_VIEWER) && object->local;
+}
 
 /* Lights and eye of the scene at a time, as an object in a pose sees them. */
 void object_light_setup(struct object_state *object, const struct scene_header *scene, const struct view *view,

@@ -48,7 +48,7 @@ static inline int project_within(const struct transform *t, struct eye_point e, 
 {
     if ((uint32_t)(e.z - t->near_z) > t->range) /* near_z >= 1, |z| < 2^29 */
         return 0;
-    return t->divide ? project_perspective(t, e, reach, out) : project_orthographic(t, e, reach, out);
+    return transform_divides(t) ? project_perspective(t, e, reach, out) : project_orthographic(t, e, reach, out);
 }
 
 /* A vertex: 1 if the clipper would surely leave it alone, so that a triangle needs it only if one of these is 0, and

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "geometry/rotation.h"
 
+#include "uses.h"
+
 /* A few of these a frame and object, so 64-bit products are fine even where they are library calls. */
 static q30_t round_q60(int64_t x)
 {
@@ -181,12 +183,12 @@ static struct pose pose_from_keys(const struct scene_header *scene, const struct
 struct pose pose_at(const struct scene_header *scene, const struct scene_object *object, uint32_t time_ms)
 {
     const struct scene_motion *motion = &object->motion;
-    if (motion->kind == MOTION_KEYS)
+    if (USES(USES_KEYS) && motion->kind == MOTION_KEYS)
         return pose_from_keys(scene, motion, time_ms);
     struct pose p = {{{object->rotation[0], object->rotation[1], object->rotation[2], object->rotation[3]}},
                      {object->position[0], object->position[1], object->position[2]},
                      object->scale};
-    if (motion->kind == MOTION_SPIN) {
+    if (USES(USES_SPIN) && motion->kind == MOTION_SPIN) {
         struct rotation spin = rotation_spin(motion->axis, motion->rate, time_ms);
         p.rotation = rotation_product(&p.rotation, &spin);
     }
@@ -196,27 +198,20 @@ struct pose pose_at(const struct scene_header *scene, const struct scene_object 
 void light_vector_at(const struct scene_header *scene, const struct scene_light *light, uint32_t time_ms,
                      int32_t out[3])
 {
-    struct pose p;
-    switch (light->motion.kind) {
-    case MOTION_SPIN: {
+    if (USES(USES_SPIN) && light->motion.kind == MOTION_SPIN) {
         struct rotation spin = rotation_spin(light->motion.axis, light->motion.rate, time_ms);
         struct matrix m = rotation_matrix(&spin);
         matrix_apply(&m, light->vector, out);
-        return;
-    }
-    case MOTION_KEYS: {
-        p = pose_from_keys(scene, &light->motion, time_ms);
+    } else if (USES(USES_KEYS) && light->motion.kind == MOTION_KEYS) {
+        struct pose p = pose_from_keys(scene, &light->motion, time_ms);
         struct matrix m = rotation_matrix(&p.rotation);
         matrix_apply(&m, light->vector, out);
-        if (light->kind == LIGHT_POINT)
-            for (int i = 0; i < 3;
-                 i++) { /* turned, a component may reach sqrt(3) 2^30; held where near_point() can take it */
-                int64_t sum = (int64_t)out[i] + p.position[i];
-                out[i] = (int32_t)(sum > INT32_MAX ? INT32_MAX : sum < -INT32_MAX ? -INT32_MAX : sum);
-            }
-        return;
-    }
-    default:
+        for (int i = 0; light->kind == LIGHT_POINT && i < 3; i++) {
+            /* turned, a component may reach sqrt(3) 2^30; held where near_point() can take it */
+            int64_t sum = (int64_t)out[i] + p.position[i];
+            out[i] = (int32_t)(sum > INT32_MAX ? INT32_MAX : sum < -INT32_MAX ? -INT32_MAX : sum);
+        }
+    } else {
         for (int i = 0; i < 3; i++)
             out[i] = light->vector[i];
     }

@@ -69,7 +69,8 @@ static void axis_setup(struct axis *row, const int64_t c[3], int c_exponent, int
 
 static void depth_setup(struct transform *t, const struct view *view, int z_exponent)
 {
-    if (t->divide) { /* near / z * span: near exactly, whatever the units of z, so that all objects have one depth */
+    if (transform_divides(
+            t)) { /* near / z * span: near exactly, whatever the units of z, so that all objects have one depth */
         unsigned up = fx_clz((uint32_t)view->near_plane);
         t->depth_scale = (uint32_t)view->near_plane << up;
         t->depth_shift = (int)up + 16 - z_exponent;
@@ -124,7 +125,7 @@ int transform_setup(struct transform *out, const struct view *view, const struct
     int z_exponent = 29 - (bits((uint64_t)largest_z) - 24);
     /* An orthographic depth is measured from the far plane, which must be in range as well. */
     int far_exponent = 30 - (bits((uint64_t)view->far_plane) - 16);
-    if (view->kind == CAMERA_ORTHOGRAPHIC && z_exponent > far_exponent)
+    if (USES(USES_ORTHOGRAPHIC) && view->kind == CAMERA_ORTHOGRAPHIC && z_exponent > far_exponent)
         z_exponent = far_exponent;
     /* x and y: times 16 f, which has 31 bits and its exponent. */
     int64_t side = magnitude(eye[0]) > magnitude(eye[1]) ? magnitude(eye[0]) : magnitude(eye[1]);
@@ -160,7 +161,7 @@ int transform_setup(struct transform *out, const struct view *view, const struct
     out->range = (uint32_t)(out->far_z - out->near_z);
 
     out->divide = view->kind == CAMERA_PERSPECTIVE;
-    out->shift = out->divide ? 30 + xy_exponent - z_exponent : xy_exponent;
+    out->shift = transform_divides(out) ? 30 + xy_exponent - z_exponent : xy_exponent;
     depth_setup(out, view, z_exponent);
     return 1;
 }

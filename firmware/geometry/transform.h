@@ -10,6 +10,7 @@
 #define GLINT_TRANSFORM_H
 
 #include "geometry/rotation.h"
+#include "uses.h"
 
 /*
  * Screen coordinates are 28.4, relative to the picture's centre, x right, y down; the guard band reaches this far. What
@@ -61,6 +62,12 @@ struct screen_point {
     int16_t x, y;   /* 28.4, |.| <= GUARD */
     uint16_t depth; /* DEPTH_FAR..DEPTH_NEAR */
 };
+
+/* Whether the view is a perspective one. */
+static inline int transform_divides(const struct transform *t)
+{
+    return USES(USES_PERSPECTIVE) && (!USES(USES_ORTHOGRAPHIC) || t->divide);
+}
 
 /* The camera of a scene for a picture of this size. */
 void view_setup(struct view *view, const struct scene_header *scene, uint16_t width, uint16_t height);

@@ -16,7 +16,7 @@ _Static_assert(HIGHLIGHTED_WORDS == COLOUR_WORDS, "the tests use gouraud's words
 /* 1 if a corner of the triangle is one of a potentially highlighted triangle. */
 static inline int adaptive_treats(const struct shade_input *in)
 {
-    const unsigned mark = 2u * in->surface->lights + HIGHLIGHTED_WORDS;
+    const unsigned mark = 2u * surface_lights(in->surface) + HIGHLIGHTED_WORDS;
     return in->lights[0][mark] || in->lights[1][mark] || in->lights[2][mark];
 }
 

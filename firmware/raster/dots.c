@@ -37,7 +37,7 @@ static inline __attribute__((always_inline)) void shade_channels(struct raster *
     for (int i = 0; i < n; i++, sum += 3)
         for (unsigned c = 0; c < channels; c++)
             sum[c] = s->base[c];
-    for (unsigned l = 0; l < s->lights; l++) {
+    for (unsigned l = 0; l < surface_lights(s); l++) {
         if (setup->diffuse_lights >> l & 1) {
             find_values(r, x, y, n, 2 * l, divide);
             sum = r->sum[0];
@@ -45,10 +45,10 @@ static inline __attribute__((always_inline)) void shade_channels(struct raster *
                 if (r->value[0][i] > 0)
                     add(sum, (uint32_t)r->value[0][i] >> 15, s->light[l].diffuse, channels);
         }
-        if (setup->specular_lights >> l & 1) {
+        if (shade_specular(setup) >> l & 1) {
             find_values(r, x, y, n, 2 * l + 1, divide);
             sum = r->sum[0];
-            if (s->form) {
+            if (surface_form(s)) {
                 find_powers(r, n);
                 for (int i = 0; i < n; i++, sum += 3)
                     add(sum, (uint32_t)r->value[0][i], s->light[l].specular, channels);
@@ -65,7 +65,7 @@ static inline __attribute__((always_inline)) void shade_channels(struct raster *
 
 void dots_shade(struct raster *r, int x, int y, int n, dots_divide *divide)
 {
-    if (r->surface.channels == 1)
+    if (surface_channels(&r->surface) == 1)
         shade_channels(r, x, y, n, 1, divide);
     else
         shade_channels(r, x, y, n, 3, divide);

@@ -6,7 +6,7 @@
 static void shade_run(struct raster *r, int x, int y, int n)
 {
     const unsigned down = 16 + 7 - colour_bits(&r->surface);
-    for (unsigned c = 0; c < r->palette.channels; c++) {
+    for (unsigned c = 0; c < raster_channels(r); c++) {
         plane_values(&r->setup.plane, &r->setup.channel[c], x, y, n, r->value[0]);
         for (int i = 0; i < n; i++)
             r->sum[i][c] = r->value[0][i] > 0 ? (uint32_t)r->value[0][i] >> down : 0;

@@ -35,7 +35,7 @@ static void divide_near(struct raster *r, int n)
 static void shade_run(struct raster *r, int x, int y, int n)
 {
     raster_lengths(r, x, y, n);
-    dots_shade(r, x, y, n, r->input.object->local ? divide_near : divide_by_length);
+    dots_shade(r, x, y, n, object_local(r->input.object) ? divide_near : divide_by_length);
 }
 
 static uint32_t draw(struct raster *r, struct edges *e)

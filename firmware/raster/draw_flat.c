@@ -6,7 +6,7 @@ static void shade_run(struct raster *r, int x, int y, int n)
     (void)x;
     (void)y;
     for (int i = 0; i < n; i++)
-        for (unsigned c = 0; c < r->palette.channels; c++)
+        for (unsigned c = 0; c < raster_channels(r); c++)
             r->sum[i][c] = r->setup.flat[c];
 }
 
@@ -48,7 +48,7 @@ FX_WRAPS static uint32_t spans(struct raster *r, struct edges *e)
 
 static uint32_t draw(struct raster *r, struct edges *e)
 {
-    if (r->setup.plane.sliver || r->format != GLINT_RGB565 || r->dither)
+    if (r->setup.plane.sliver || !raster_is(r, GLINT_RGB565) || raster_dithers(r))
         return runs_draw(r, e, shade_run);
     return spans(r, e);
 }

@@ -5,7 +5,7 @@
 /* Channels are Q24 steps between 0 and 255, so unsigned 32 bits; a rounding below 0 is taken for 0. */
 static void shade_run(struct raster *r, int x, int y, int n)
 {
-    for (unsigned c = 0; c < r->palette.channels; c++) {
+    for (unsigned c = 0; c < raster_channels(r); c++) {
         plane_values(&r->setup.plane, &r->setup.channel[c], x, y, n, r->value[0]);
         for (int i = 0; i < n; i++) {
             uint32_t value = (uint32_t)r->value[0][i];
@@ -61,7 +61,7 @@ FX_WRAPS static __attribute__((noinline)) uint32_t spans(struct raster *r, struc
 
 uint32_t draw_gouraud(struct raster *r, struct edges *e)
 {
-    if (r->setup.plane.sliver || r->format != GLINT_RGB565 || r->dither)
+    if (r->setup.plane.sliver || !raster_is(r, GLINT_RGB565) || raster_dithers(r))
         return runs_draw(r, e, shade_run);
     return spans(r, e);
 }

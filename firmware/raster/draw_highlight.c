@@ -18,7 +18,7 @@ static int32_t brightness(const struct raster *r, const struct part_corner *corn
 {
     static const uint8_t share[3] = {77, 150, 29};
     uint32_t sum = 0;
-    if (r->palette.channels == 1)
+    if (raster_channels(r) == 1)
         return (int32_t)((corner->colour[0] << 8) / r->palette.top[0]);
     for (unsigned c = 0; c < 3; c++) /* colours are at most top * 2^8: below 2^24 */
         sum += share[c] * ((uint32_t)corner->colour[c] << 8) / r->palette.top[c];
@@ -153,9 +153,9 @@ static uint32_t draw(struct raster *r, struct edges *e)
 
 static const struct glint_method split_at_highlight = {GLINT_SUBDIVIDE, 0, 0, shade_gouraud, draw, 0, 0};
 
-static const struct glint_method *choose(const struct shade_input *in)
+static const struct glint_method *choose(struct raster *r)
 {
-    return adaptive_treats(in) ? &split_at_highlight : &glint_gouraud;
+    return adaptive_treats(&r->input) ? &split_at_highlight : &glint_gouraud;
 }
 
 const struct glint_method glint_subdivide_highlight = {GLINT_SUBDIVIDE,  0,     ADAPTIVE_WORDS, shade_gouraud, draw,

@@ -2,14 +2,14 @@
 /* Gouraud, and a better method where a highlight may be (Cho et al. 1996, section 3.3). Counted under what draws. */
 #include "raster/adaptive.h"
 
-static const struct glint_method *choose_phong(const struct shade_input *in)
+static const struct glint_method *choose_phong(struct raster *r)
 {
-    return adaptive_treats(in) ? &glint_phong : &glint_gouraud;
+    return adaptive_treats(&r->input) ? &glint_phong : &glint_gouraud;
 }
 
-static const struct glint_method *choose_x(const struct shade_input *in)
+static const struct glint_method *choose_x(struct raster *r)
 {
-    return adaptive_treats(in) ? &glint_x : &glint_gouraud;
+    return adaptive_treats(&r->input) ? &glint_x : &glint_gouraud;
 }
 
 const struct glint_method glint_hybrid_phong = {GLINT_PHONG, 0, ADAPTIVE_WORDS, 0, 0, highlighted_mark, choose_phong};

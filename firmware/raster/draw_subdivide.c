@@ -52,7 +52,7 @@ static int errs_at_centre(const struct raster *r, const struct part_corner corne
     for (int i = 0; i < 2; i++) /* three of at most 2^15; a third, rounded down, leaves the rest at least 0 */
         centre.weight[i] = (uint16_t)(((uint32_t)corner[0].weight[i] + corner[1].weight[i] + corner[2].weight[i]) / 3);
     part_shade(&r->input, &centre);
-    for (unsigned c = 0; c < r->palette.channels; c++) {
+    for (unsigned c = 0; c < raster_channels(r); c++) {
         int32_t estimate = 0;
         for (int k = 0; k < 3; k++)
             estimate += 4 * corner[3 + k].colour[c] - corner[k].colour[c];
@@ -131,9 +131,9 @@ const struct glint_method glint_subdivide_centre = {GLINT_SUBDIVIDE, 0, COLOUR_W
 /* What the adaptive one splits. */
 static const struct glint_method split_by_size = {GLINT_SUBDIVIDE, 0, 0, shade_gouraud, draw_by_size, 0, 0};
 
-static const struct glint_method *choose(const struct shade_input *in)
+static const struct glint_method *choose(struct raster *r)
 {
-    return adaptive_treats(in) ? &split_by_size : &glint_gouraud;
+    return adaptive_treats(&r->input) ? &split_by_size : &glint_gouraud;
 }
 
 const struct glint_method glint_subdivide_regular = {

@@ -52,10 +52,10 @@ FX_WRAPS static inline __attribute__((always_inline)) void shade_grey(struct ras
 RUNS_APART static void shade_run(struct raster *r, int x, int y, int n)
 {
     const struct shade_setup *setup = &r->setup;
-    if (r->surface.channels != 1 || r->surface.lights != 1 || setup->runs_only || r->surface.form ||
-        !setup->diffuse_lights)
+    if (surface_channels(&r->surface) != 1 || surface_lights(&r->surface) != 1 || setup->runs_only ||
+        surface_form(&r->surface) || !setup->diffuse_lights)
         dots_shade(r, x, y, n, 0);
-    else if (setup->specular_lights)
+    else if (shade_specular(setup))
         shade_grey(r, x, y, n, 1);
     else
         shade_grey(r, x, y, n, 0);
@@ -155,7 +155,7 @@ RUNS_APART static void table_values(struct raster *r, int x, int y, int n)
 {
     const struct shade_setup *setup = &r->setup;
     for (int which = 0; which < 2; which++) {
-        if ((which ? setup->specular_lights : setup->diffuse_lights) != 0)
+        if ((which ? shade_specular(setup) : setup->diffuse_lights) != 0)
             plane_values(&setup->plane, &setup->channel[which], x, y, n, r->value[which]);
         else
             for (int i = 0; i < n; i++)
@@ -189,7 +189,7 @@ RUNS_APART static uint32_t draw_runs(struct raster *r, struct edges *e)
 FX_WRAPS uint32_t raster_draw_dots(struct raster *r, struct edges *e)
 {
     struct shade_setup *setup = &r->setup;
-    const struct colour_table *table = r->surface_table;
+    const struct colour_table *table = USES(USES_RGB565) ? r->surface_table : 0;
     if (!table)
         return draw_runs(r, e);
     if (setup->runs_only)
@@ -197,7 +197,7 @@ FX_WRAPS uint32_t raster_draw_dots(struct raster *r, struct edges *e)
     const uint16_t *colours = table->colour[0];
     /* N.L rounded to the table's steps: half a step more. N.H counts from the foot of the power. */
     const uint32_t half = 1u << 23;
-    if (setup->specular_lights) {
+    if (shade_specular(setup)) {
         if (!setup->diffuse_lights)
             setup->channel[0].p = (struct polynomial){0}; /* a highlight alone: the loops read both */
         setup->channel[0].p.f += half;

@@ -67,14 +67,14 @@ static inline __attribute__((always_inline)) void add_light(struct raster *r, in
     const struct surface *s = &r->surface;
     int32_t diffuse = dot(r, i, towards);
     diffuse = diffuse < 0 ? 0 : diffuse;
-    for (unsigned c = 0; c < s->channels; c++)
+    for (unsigned c = 0; c < surface_channels(s); c++)
         r->sum[i][c] += surface_diffuse((uint32_t)diffuse, s->light[l].diffuse[c]);
-    int32_t highlight = s->highlights ? dot(r, i, half) : 0;
+    int32_t highlight = surface_highlights(s) ? dot(r, i, half) : 0;
     if (highlight <= 0)
         return;
     const q30_t n_dot_h = (q30_t)((uint32_t)highlight << 15);
     uint32_t power = formed ? surface_power(s, n_dot_h) : fx_power(s->power, n_dot_h);
-    for (unsigned c = 0; c < s->channels; c++)
+    for (unsigned c = 0; c < surface_channels(s); c++)
         r->sum[i][c] += surface_diffuse(power, s->light[l].specular[c]);
 }
 
@@ -99,13 +99,13 @@ static inline __attribute__((always_inline)) void add_lights(struct raster *r, i
     const struct object_state *object = r->input.object;
     q14_t towards[3], half[3];
     for (int i = 0; i < n; i++)
-        for (unsigned c = 0; c < s->channels; c++)
+        for (unsigned c = 0; c < surface_channels(s); c++)
             r->sum[i][c] = s->base[c];
-    for (unsigned l = 0; l < s->lights; l++) {
-        if (!object->local)
+    for (unsigned l = 0; l < surface_lights(s); l++) {
+        if (!object_local(object))
             object_light_at(object, l, 0, towards, half);
         for (int i = 0; i < n; i++) {
-            if (object->local) {
+            if (object_local(object)) {
                 const int32_t place[3] = {r->value[3][i], r->value[4][i], r->value[5][i]};
                 object_light_at(object, l, place, towards, half);
             }
@@ -121,7 +121,7 @@ FX_COLD static void add_lights_formed(struct raster *r, int n)
 
 static __attribute__((noinline)) void light(struct raster *r, int n)
 {
-    if (r->surface.form)
+    if (surface_form(&r->surface))
         add_lights_formed(r, n);
     else
         add_lights(r, n, 0);
@@ -135,7 +135,7 @@ static void find_normals(struct raster *r, int x, int y, int n)
 
 void normals_run(struct raster *r, int x, int y, int n)
 {
-    if (r->input.object->local)
+    if (object_local(r->input.object))
         find_places(r, x, y, n);
     find_normals(r, x, y, n);
     normalise(r, n);
@@ -150,7 +150,7 @@ static __attribute__((noinline)) void light_any(struct raster *r, int n)
 
 void normals_shade(struct raster *r, int x, int y, int n)
 {
-    if (r->input.object->local)
+    if (object_local(r->input.object))
         find_places(r, x, y, n);
     light_any(r, n);
 }
@@ -158,7 +158,7 @@ void normals_shade(struct raster *r, int x, int y, int n)
 /* The divisors of places take r->value[0], so that normals come after them. */
 void normals_run_perspective(struct raster *r, int x, int y, int n)
 {
-    if (r->input.object->local)
+    if (object_local(r->input.object))
         find_places(r, x, y, n);
     find_normals(r, x, y, n);
     light_any(r, n);

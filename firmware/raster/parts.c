@@ -5,7 +5,7 @@
 /* Channels are signed Q22 steps; the top is clamped when they are written. */
 static void shade_part(struct raster *r, int x, int y, int n)
 {
-    for (unsigned c = 0; c < r->palette.channels; c++) {
+    for (unsigned c = 0; c < raster_channels(r); c++) {
         plane_values(&r->setup.plane, &r->setup.channel[c], x, y, n, r->value[0]);
         for (int i = 0; i < n; i++)
             r->sum[i][c] = r->value[0][i] < 0 ? 0 : (uint32_t)r->value[0][i] >> 7;
@@ -34,7 +34,7 @@ uint32_t parts_linear(struct raster *r, struct edges *e, const struct part_corne
     places(r, corner, p);
     if (!fine_setup(e, p, r->width, r->height, r->y0, r->y1))
         return 0;
-    const int fast = r->format == GLINT_RGB565 && !r->dither && part_linear(&r->setup, &r->input, corner, 1);
+    const int fast = raster_is(r, GLINT_RGB565) && !raster_dithers(r) && part_linear(&r->setup, &r->input, corner, 1);
     uint32_t drawn = 0;
     if (!fast)
         part_linear(&r->setup, &r->input, corner, 0);

@@ -51,6 +51,7 @@ struct raster {
     uint16_t *depth; /* of the band, width a row */
     struct palette palette;
     struct surface surface;
+    uint16_t budget;                          /* of auto, Q8 of 1/255 */
     uint16_t surface_material;                /* which one `surface` holds; 0xffff: none */
     const struct colour_table *surface_table; /* made for `surface`; null: none, or not looked for yet */
     struct colour_table *table;               /* one for each of the first r->tables materials */
@@ -76,6 +77,20 @@ struct raster {
 
 struct triangle_ref;
 
+/* The picture's format, dither and channels; constants where the program has no others. */
+static inline int raster_is(const struct raster *r, enum glint_format format)
+{
+    return uses_format(r->format, format);
+}
+static inline int raster_dithers(const struct raster *r)
+{
+    return USES(USES_DITHER) && r->dither;
+}
+static inline unsigned raster_channels(const struct raster *r)
+{
+    return uses_channels(r->palette.channels);
+}
+
 /* The largest value of an output channel. */
 static inline uint8_t raster_top(unsigned format, unsigned channel)
 {
@@ -100,8 +115,8 @@ struct glint_method {
     /* Null, or called when a frame begins with each object's vertex records, `stride` int16_t apart, placed and lit. */
     void (*object)(const struct object_state *object, const struct scene_header *scene, int16_t *records,
                    unsigned stride, struct glint_stats *stats);
-    /* Null, or which method a triangle is drawn by, which it is counted under: this one or a plainer. */
-    const struct glint_method *(*choose)(const struct shade_input *in);
+    /* Null, or which method the triangle in hand is drawn by, which it is counted under: this one or a plainer. */
+    const struct glint_method *(*choose)(struct raster *r);
 };
 
 /* These methods' draw. */

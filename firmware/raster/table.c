@@ -50,7 +50,8 @@ void raster_find_table(struct raster *r)
 {
     struct colour_table *table = r->table + r->surface_material;
     r->surface_table = 0;
-    if (r->surface_material >= r->tables || r->format != GLINT_RGB565 || r->dither || r->surface.lights != 1)
+    if (r->surface_material >= r->tables || !raster_is(r, GLINT_RGB565) || raster_dithers(r) ||
+        surface_lights(&r->surface) != 1)
         return;
     if (!made_for(table, &r->surface))
         make(r, table);

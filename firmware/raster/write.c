@@ -18,27 +18,23 @@ static uint32_t pack(const struct raster *r, const uint32_t sum[3], uint32_t thr
 {
     const uint8_t *top = r->palette.top;
     uint32_t first = level(sum[0], threshold, top[0]);
-    if (r->palette.channels == 1)
+    if (raster_channels(r) == 1)
         return first;
     uint32_t second = level(sum[1], threshold, top[1]), third = level(sum[2], threshold, top[2]);
-    return r->format == GLINT_RGB565 ? first << 11 | second << 5 | third : first << 16 | second << 8 | third;
+    return raster_is(r, GLINT_RGB565) ? first << 11 | second << 5 | third : first << 16 | second << 8 | third;
 }
 
 static inline __attribute__((always_inline)) void put(uint8_t *row, int x, uint32_t colour, unsigned format)
 {
-    switch (format) {
-    case GLINT_RGB565:
+    if (uses_format(format, GLINT_RGB565)) {
         ((uint16_t *)(void *)row)[x] = (uint16_t)colour;
-        break;
-    case GLINT_RGB888:
+    } else if (uses_format(format, GLINT_RGB888)) {
         row[3 * x] = (uint8_t)(colour >> 16);
         row[3 * x + 1] = (uint8_t)(colour >> 8);
         row[3 * x + 2] = (uint8_t)colour;
-        break;
-    case GLINT_GREY8:
+    } else if (uses_format(format, GLINT_GREY8)) {
         row[x] = (uint8_t)colour;
-        break;
-    default:
+    } else if (USES(USES_GREY4)) {
         row += x >> 1;
         *row = (uint8_t)(x & 1 ? (*row & 0xf0) | colour : (*row & 0x0f) | colour << 4);
     }
@@ -53,7 +49,7 @@ uint32_t raster_colour(const struct raster *r, const uint32_t sum[3])
 static void write_some(struct raster *r, uint8_t *row, int x, int y, uint32_t mask)
 {
     for (const uint32_t *sum = r->sum[0]; mask; sum += 3, x++, mask >>= 1) {
-        uint32_t threshold = r->dither ? (uint32_t)(2 * bayer[y & 3][x & 3] + 1) << 10 : HALF_STEP;
+        uint32_t threshold = raster_dithers(r) ? (uint32_t)(2 * bayer[y & 3][x & 3] + 1) << 10 : HALF_STEP;
         if (mask & 1)
             put(row, x, pack(r, sum, threshold), r->format);
     }
@@ -74,11 +70,11 @@ static inline __attribute__((always_inline)) void write_all(const struct raster 
 void raster_write(struct raster *r, int x, int y, uint32_t mask)
 {
     uint8_t *row = r->pixels + (uint32_t)(y - r->y0) * r->stride;
-    if (r->dither || r->format == GLINT_RGB888 || (mask & (mask + 1)) != 0)
+    if (raster_dithers(r) || raster_is(r, GLINT_RGB888) || (mask & (mask + 1)) != 0)
         write_some(r, row, x, y, mask);
-    else if (r->format == GLINT_RGB565)
+    else if (raster_is(r, GLINT_RGB565))
         write_all(r, row, x, mask, GLINT_RGB565);
-    else if (r->format == GLINT_GREY8)
+    else if (raster_is(r, GLINT_GREY8))
         write_all(r, row, x, mask, GLINT_GREY8);
     else
         write_all(r, row, x, mask, GLINT_GREY4);
@@ -113,14 +109,14 @@ void raster_clear(struct raster *r, const struct scene_header *scene)
     uint32_t colour = raster_colour(r, sum);
     /* The depth store is rounded up to whole words; what the last word holds beyond the band is not read. */
     fill((uint32_t *)(void *)r->depth, 0, (rows * r->width * 2 + 3) & ~3u);
-    if (r->format == GLINT_RGB888 && colour % 0x10101u) {
+    if (raster_is(r, GLINT_RGB888) && colour % 0x10101u) {
         for (uint32_t y = 0; y < rows; y++)
             for (int x = 0; x < r->width; x++)
                 put(r->pixels + y * r->stride, x, colour, GLINT_RGB888);
         return;
     }
-    uint32_t word = r->format == GLINT_RGB565  ? colour | colour << 16
-                    : r->format == GLINT_GREY4 ? colour * 0x11111111u
-                                               : (colour & 0xff) * 0x01010101u;
+    uint32_t word = raster_is(r, GLINT_RGB565)  ? colour | colour << 16
+                    : raster_is(r, GLINT_GREY4) ? colour * 0x11111111u
+                                                : (colour & 0xff) * 0x01010101u;
     fill((uint32_t *)(void *)r->pixels, word, (rows * r->stride + 3) & ~3u);
 }

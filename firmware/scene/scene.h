@@ -11,11 +11,12 @@
 #define GLINT_SCENE_H
 
 #include "fixed/fixed.h"
+#include "uses.h"
 
 #include <stddef.h>
 
 #define SCENE_MAGIC   0x31544C47u /* "GLT1" */
-#define SCENE_VERSION 1u
+#define SCENE_VERSION 2u
 
 /* The most of each that the renderer addresses: 16-bit indices, and light sets that stay in 8 bits. */
 #define SCENE_MAX_VERTICES  65535u
@@ -30,6 +31,17 @@ struct scene_vertex {
     q14_t normal[3];
 };
 
+/* The way in which u grows, Q14: unit as a normal is, and perpendicular to it within 2^-11. v grows along B = sign (N x
+ * T). */
+struct scene_tangent {
+    q14_t tangent[3];
+    int16_t sign; /* 1 or -1 */
+};
+
+/* Bit e of a triangle's flags: where normals are interpolated quadratically, its edge from corner e to (e + 1) % 3 may
+ * be. */
+#define TRIANGLE_QUADRATIC 1u
+
 /* Counter-clockwise seen from outside. bend[e] = -k = (1 - Ni.Nj)/2 in Q16 of the edge from corner e to corner
  * (e + 1) % 3, within 2^-11 of what the stored normals give, saturated at 65535 (X-shading, eq. 32; k itself is never
  * positive). */
@@ -37,13 +49,14 @@ struct scene_triangle {
     uint16_t corner[3];
     uint16_t bend[3];
     uint16_t material;
-    uint16_t reserved; /* 0 */
+    uint16_t flags; /* TRIANGLE_QUADRATIC << e, 0..7 */
 };
 
 struct scene_mesh {
     uint32_t vertices;       /* offset of struct scene_vertex[vertex_count] */
     uint32_t triangles;      /* offset of struct scene_triangle[triangle_count] */
     uint32_t uvs;            /* offset of int16_t[vertex_count][2], Q12 texture coordinates; 0: none */
+    uint32_t tangents;       /* offset of struct scene_tangent[vertex_count]; 0: none */
     uint32_t vertex_count;   /* 3..65535 */
     uint32_t triangle_count; /* 1..65535 */
     q16_t centre[3];         /* |c| < 2^14 units */
@@ -53,11 +66,13 @@ struct scene_mesh {
 };
 
 #define MATERIAL_FLAT      1u /* its vertices carry face normals: one value a directional light, by every method */
-#define MATERIAL_TWO_SIDED 2u /* reserved for two-sided faces: refused for now */
+#define MATERIAL_TWO_SIDED 2u /* faces are seen from behind too, with their normals turned round */
 
-/* Colour at a pixel = diffuse * (ka * ambient + sum kd * light * max(0, N.L))
- *                   + specular * sum ks * light * max(0, N.H)^shininess; each channel clamped to 0..1 at the end.
- * Colours and coefficients in Q15, 0..32768. */
+#define SCENE_NO_TEXTURE 0xffffu
+
+/* Colour at a pixel = texel * diffuse * (ka * ambient + sum kd * light * max(0, N.L))
+ *                   + specular * sum ks * light * max(0, N.H)^shininess; each channel clamped to 0..1 at the end, then
+ * mixed with the fog's. Colours and coefficients in Q15, 0..32768. */
 struct scene_material {
     uint16_t diffuse[3];
     uint16_t specular[3];
@@ -65,6 +80,47 @@ struct scene_material {
     uint16_t shininess; /* 1..1023 */
     uint16_t power;     /* index of its struct fx_power, whose exponent is the shininess */
     uint16_t flags;
+    uint16_t texture, bump; /* index of one of colours, and of one of slopes, or SCENE_NO_TEXTURE. Meshes that use it
+                               have texture coordinates, and for a bump map tangents */
+};
+
+enum scene_texture_format {
+    TEXTURE_RGB565,   /* uint16_t texels */
+    TEXTURE_PALETTE8, /* uint8_t indices into the palette, each less than `colours` */
+    TEXTURE_BUMP8,    /* int8_t Fu, Fv: slopes of a height, 127 for `steepness` */
+    TEXTURE_FORMATS
+};
+
+#define TEXTURE_BILINEAR 1u /* interpolated between the middles of texels, else the nearest */
+#define TEXTURE_CLAMP_U  2u /* beyond 0..1 its border goes on, else it repeats */
+#define TEXTURE_CLAMP_V  4u
+
+/*
+ * 2^log2_width columns from u = 0 to 1 in 2^log2_height rows from v = 0 to 1, the row at v = 0 first. A field of 5 or 6
+ * bits stands for that of 8 with its first bits repeated; intensity is that / 255.
+ */
+struct scene_texture {
+    uint32_t texels;                 /* offset */
+    uint32_t palette;                /* offset of uint32_t[colours], 0x00RRGGBB; 0: no TEXTURE_PALETTE8 */
+    uint8_t log2_width, log2_height; /* 0..10 */
+    uint8_t format;                  /* enum scene_texture_format */
+    uint8_t flags;
+    uint16_t contrast;  /* a bound of the difference of texels next to each other in any channel (slope: of 127), in
+                           1/255 (1/127), Q8: what an error of a texel costs at most */
+    uint16_t steepness; /* of TEXTURE_BUMP8: the slope of 127, Q8, at least 1; else 0 */
+    uint16_t colours;   /* of the palette, 1..256; without one 0 */
+    uint16_t reserved;  /* 0 */
+};
+
+enum scene_fog_kind { FOG_NONE, FOG_LINEAR, FOG_EXPONENTIAL };
+
+/* By the distance z along the view: a pixel's colour is mixed with the fog's, whose part is (z - from) / (to - from)
+ * within 0..1, or 1 - e^(-density z). What is not of its kind is 0. */
+struct scene_fog {
+    uint16_t kind;
+    uint16_t colour[3]; /* Q15 */
+    q16_t from, to;     /* 0 <= from < to < 2^15 units */
+    uint32_t density;   /* Q24 a unit, 1..2^28 */
 };
 
 enum scene_motion_kind { MOTION_NONE, MOTION_SPIN, MOTION_KEYS };
@@ -128,14 +184,17 @@ struct scene_camera {
 struct scene_header {
     uint32_t magic;
     uint16_t version;
-    uint16_t reserved;                                         /* 0 */
-    uint32_t length;                                           /* of the whole blob, bytes */
-    uint32_t crc;                                              /* CRC-32 (IEEE 802.3) of bytes 16 .. length - 1 */
-    uint32_t meshes, materials, powers, lights, objects, keys; /* offsets of the arrays; 0 for an empty one */
-    uint16_t mesh_count, material_count, power_count, light_count, object_count, key_count;
+    uint16_t reserved; /* 0 */
+    uint32_t length;   /* of the whole blob, bytes */
+    uint32_t crc;      /* CRC-32 (IEEE 802.3) of bytes 16 .. length - 1 */
+    uint32_t meshes, materials, powers, lights, objects, keys, textures; /* offsets of the arrays; 0 for an empty one */
+    uint16_t mesh_count, material_count, power_count, light_count, object_count, key_count, texture_count;
+    uint16_t reserved2;     /* 0 */
+    uint32_t effects;       /* of uses.h: at least those of scene_effects.h */
     uint32_t duration_ms;   /* of one loop of the animation; 0: none. Time given to the renderer is taken modulo this */
     uint16_t ambient[3];    /* Q15 */
     uint16_t background[3]; /* Q15 */
+    struct scene_fog fog;
     struct scene_camera camera;
 };
 
@@ -189,6 +248,10 @@ static inline const struct scene_object *scene_objects(const struct scene_header
 static inline const struct scene_key *scene_keys(const struct scene_header *s)
 {
     return scene_at(s, s->keys);
+}
+static inline const struct scene_texture *scene_textures(const struct scene_header *s)
+{
+    return scene_at(s, s->textures);
 }
 
 #endif

@@ -2,8 +2,10 @@
 /*
  * The one place where a scene is not trusted. Order matters: the header and its CRC first, then that every array lies
  * inside the blob, and only then the arrays' contents, so that no reference is followed before it is known to be good.
+ * What only an effect reads that this program has no code for is not looked at.
  */
-#include "scene/scene.h"
+#include "scene/scene_effects.h"
+#include "scene/texel.h"
 
 #include <stdbool.h>
 
@@ -48,7 +50,7 @@ static bool array_ok(const struct scene_header *s, uint32_t offset, uint32_t cou
 {
     if (count == 0)
         return offset == 0;
-    /* count <= 65535 and element < 2^9, so the product fits */
+    /* count <= 65535 and element < 2^9, or texels of 2^20 and element <= 2: the product fits */
     return offset % 4 == 0 && offset >= sizeof *s && offset <= s->length && count * element <= s->length - offset;
 }
 
@@ -66,14 +68,16 @@ static enum scene_fault check_header(const struct scene_header *s, size_t size)
         return SCENE_E_SHORT;
     if (s->crc != scene_crc32(0, (const uint8_t *)s + 16, s->length - 16))
         return SCENE_E_CRC;
-    if (s->reserved != 0 || s->object_count > SCENE_MAX_OBJECTS || s->light_count > SCENE_MAX_LIGHTS)
+    if (s->reserved != 0 || s->reserved2 != 0 || s->object_count > SCENE_MAX_OBJECTS ||
+        s->light_count > SCENE_MAX_LIGHTS)
         return SCENE_E_RANGE;
     if (!array_ok(s, s->meshes, s->mesh_count, sizeof(struct scene_mesh)) ||
         !array_ok(s, s->materials, s->material_count, sizeof(struct scene_material)) ||
         !array_ok(s, s->powers, s->power_count, sizeof(struct fx_power)) ||
         !array_ok(s, s->lights, s->light_count, sizeof(struct scene_light)) ||
         !array_ok(s, s->objects, s->object_count, sizeof(struct scene_object)) ||
-        !array_ok(s, s->keys, s->key_count, sizeof(struct scene_key)))
+        !array_ok(s, s->keys, s->key_count, sizeof(struct scene_key)) ||
+        !array_ok(s, s->textures, s->texture_count, sizeof(struct scene_texture)))
         return SCENE_E_STRUCTURE;
     return SCENE_OK;
 }
@@ -88,6 +92,13 @@ static enum scene_fault check_camera(const struct scene_header *s)
     return ok ? SCENE_OK : SCENE_E_RANGE;
 }
 
+static enum scene_fault check_fog(const struct scene_fog *f)
+{
+    bool far = f->kind == FOG_LINEAR ? f->from >= 0 && f->from < f->to : f->from == 0 && f->to == 0;
+    bool dense = f->kind == FOG_EXPONENTIAL ? f->density >= 1 && f->density <= 1u << 28 : f->density == 0;
+    return f->kind <= FOG_EXPONENTIAL && colour_ok(f->colour) && far && dense ? SCENE_OK : SCENE_E_RANGE;
+}
+
 /* floor(sqrt(x)), a bit at a time. */
 static uint32_t root(uint32_t x)
 {
@@ -96,6 +107,12 @@ static uint32_t root(uint32_t x)
         if ((r | bit) * (r | bit) <= x)
             r |= bit;
     return r;
+}
+
+/* A square in Q28 of a length within 2^-13 of 1. */
+static bool square_ok(uint32_t square)
+{
+    return square + (1u << 16) >= 1u << 28 && square <= (1u << 28) + (1u << 16) + 4; /* (1 + 2^-13)^2 */
 }
 
 /* Positions inside the bounding sphere, on which clipping relies, and normals of unit length. */
@@ -111,7 +128,7 @@ static enum scene_fault check_vertices(const struct scene_header *s, const struc
         }
         if (distance > furthest)
             furthest = distance;
-        if (length + (1u << 16) < 1u << 28 || length > (1u << 28) + (1u << 16) + 4) /* (1 + 2^-13)^2 in Q28 */
+        if (!square_ok(length))
             return SCENE_E_RANGE;
     }
     /* root < 2^16 and extent < 2^30 */
@@ -130,17 +147,43 @@ static int bend_ok(const q14_t a[3], const q14_t b[3], uint16_t bend)
     return expected - bend < 32 && bend - expected < 32;
 }
 
+static enum scene_fault check_tangents(const struct scene_header *s, const struct scene_mesh *mesh)
+{
+    const struct scene_tangent *t = scene_at(s, mesh->tangents);
+    const struct scene_vertex *v = scene_at(s, mesh->vertices);
+    for (uint32_t i = 0; mesh->tangents && i < mesh->vertex_count; i++, t++, v++) {
+        uint32_t length = 0; /* as in check_vertices() */
+        int32_t across = 0;  /* of near unit vectors, once the other is known to be one */
+        for (int k = 0; k < 3; k++)
+            length += (uint32_t)(t->tangent[k] * t->tangent[k]);
+        if (!square_ok(length) || (t->sign != 1 && t->sign != -1))
+            return SCENE_E_RANGE;
+        for (int k = 0; k < 3; k++)
+            across += t->tangent[k] * v->normal[k];
+        if (!in_range(across, -(1 << 17), (1 << 17) + 1)) /* 2^-11 in Q28 */
+            return SCENE_E_RANGE;
+    }
+    return SCENE_OK;
+}
+
+/* A material that wants texture coordinates or tangents is on a mesh that has them. */
+static bool mapped(const struct scene_mesh *mesh, const struct scene_material *m)
+{
+    return (m->texture == SCENE_NO_TEXTURE || mesh->uvs) &&
+           (m->bump == SCENE_NO_TEXTURE || (mesh->uvs && mesh->tangents));
+}
+
 static enum scene_fault check_triangles(const struct scene_header *s, const struct scene_mesh *mesh)
 {
     const struct scene_triangle *t = scene_at(s, mesh->triangles);
     const struct scene_vertex *v = scene_at(s, mesh->vertices);
     for (uint32_t i = 0; i < mesh->triangle_count; i++, t++) {
-        if (t->reserved != 0)
+        if (t->flags >= 8 * TRIANGLE_QUADRATIC)
             return SCENE_E_RANGE;
         for (int k = 0; k < 3; k++)
             if (t->corner[k] >= mesh->vertex_count)
                 return SCENE_E_INDEX;
-        if (t->material >= s->material_count)
+        if (t->material >= s->material_count || !mapped(mesh, &scene_materials(s)[t->material]))
             return SCENE_E_INDEX;
         for (int k = 0; k < 3; k++)
             if (!bend_ok(v[t->corner[k]].normal, v[t->corner[k == 2 ? 0 : k + 1]].normal, t->bend[k]))
@@ -157,9 +200,12 @@ static enum scene_fault check_mesh(const struct scene_header *s, const struct sc
         return SCENE_E_RANGE;
     if (!array_ok(s, mesh->vertices, mesh->vertex_count, sizeof(struct scene_vertex)) ||
         !array_ok(s, mesh->triangles, mesh->triangle_count, sizeof(struct scene_triangle)) ||
-        (mesh->uvs != 0 && !array_ok(s, mesh->uvs, mesh->vertex_count, 2 * sizeof(int16_t))))
+        (mesh->uvs != 0 && !array_ok(s, mesh->uvs, mesh->vertex_count, 2 * sizeof(int16_t))) ||
+        (mesh->tangents != 0 && !array_ok(s, mesh->tangents, mesh->vertex_count, sizeof(struct scene_tangent))))
         return SCENE_E_STRUCTURE;
     enum scene_fault fault = check_vertices(s, mesh);
+    if (!fault && USES(USES_BUMP))
+        fault = check_tangents(s, mesh);
     return fault ? fault : check_triangles(s, mesh);
 }
 
@@ -175,11 +221,33 @@ static enum scene_fault check_power(const struct fx_power *p)
 static enum scene_fault check_material(const struct scene_header *s, const struct scene_material *m)
 {
     if (!colour_ok(m->diffuse) || !colour_ok(m->specular) || m->ka > UNIT_Q15 || m->kd > UNIT_Q15 || m->ks > UNIT_Q15 ||
-        (m->flags & ~MATERIAL_FLAT) != 0)
+        (m->flags & ~(MATERIAL_FLAT | MATERIAL_TWO_SIDED)) != 0)
         return SCENE_E_RANGE;
-    if (m->power >= s->power_count)
+    if (m->power >= s->power_count || (m->texture != SCENE_NO_TEXTURE && m->texture >= s->texture_count) ||
+        (m->bump != SCENE_NO_TEXTURE && m->bump >= s->texture_count))
         return SCENE_E_INDEX;
+    if ((m->texture != SCENE_NO_TEXTURE && scene_textures(s)[m->texture].format == TEXTURE_BUMP8) ||
+        (m->bump != SCENE_NO_TEXTURE && scene_textures(s)[m->bump].format != TEXTURE_BUMP8))
+        return SCENE_E_RANGE;
     return scene_powers(s)[m->power].exponent == m->shininess ? SCENE_OK : SCENE_E_RANGE;
+}
+
+static enum scene_fault check_texture(const struct scene_header *s, const struct scene_texture *t)
+{
+    const uint8_t *index = scene_at(s, t->texels);
+    if (t->log2_width > 10 || t->log2_height > 10 || t->format >= TEXTURE_FORMATS ||
+        (t->flags & ~(TEXTURE_BILINEAR | TEXTURE_CLAMP_U | TEXTURE_CLAMP_V)) != 0 || t->reserved != 0 ||
+        (t->format == TEXTURE_BUMP8) != (t->steepness > 0) || (t->format == TEXTURE_PALETTE8) != (t->colours > 0) ||
+        t->colours > 256)
+        return SCENE_E_RANGE;
+    const uint32_t texels = 1u << (t->log2_width + t->log2_height);
+    if (!array_ok(s, t->texels, texels, t->format == TEXTURE_PALETTE8 ? 1 : 2) ||
+        !array_ok(s, t->palette, t->colours, sizeof(uint32_t)))
+        return SCENE_E_STRUCTURE;
+    for (uint32_t i = 0; t->colours && t->colours < 256 && i < texels; i++)
+        if (index[i] >= t->colours)
+            return SCENE_E_INDEX;
+    return t->contrast >= texel_contrast(s, t) ? SCENE_OK : SCENE_E_RANGE;
 }
 
 static enum scene_fault check_key(const struct scene_key *k)
@@ -231,6 +299,10 @@ enum scene_fault scene_check(const void *blob, size_t size)
     enum scene_fault fault = check_header(s, size);
     if (!fault)
         fault = check_camera(s);
+    if (!fault)
+        fault = check_fog(&s->fog);
+    for (unsigned i = 0; USES(USES_TEXTURE | USES_BUMP) && !fault && i < s->texture_count; i++)
+        fault = check_texture(s, &scene_textures(s)[i]);
     for (unsigned i = 0; !fault && i < s->mesh_count; i++)
         fault = check_mesh(s, &scene_meshes(s)[i]);
     for (unsigned i = 0; !fault && i < s->power_count; i++)
@@ -243,30 +315,7 @@ enum scene_fault scene_check(const void *blob, size_t size)
         fault = check_object(s, &scene_objects(s)[i]);
     for (unsigned i = 0; !fault && i < s->light_count; i++)
         fault = check_light(s, &scene_lights(s)[i]);
+    if (!fault && ((s->effects & ~USES_EFFECTS) != 0 || (scene_effects(s) & ~s->effects) != 0))
+        fault = SCENE_E_RANGE;
     return fault;
-}
-
-const char *scene_fault_text(enum scene_fault fault)
-{
-    switch (fault) {
-    case SCENE_OK:
-        return "the scene is good";
-    case SCENE_E_ALIGN:
-        return "the scene does not start at a multiple of 4";
-    case SCENE_E_SHORT:
-        return "the scene is cut short";
-    case SCENE_E_MAGIC:
-        return "not a scene, or one of the other byte order";
-    case SCENE_E_VERSION:
-        return "a scene of another version";
-    case SCENE_E_CRC:
-        return "the scene is damaged: its CRC does not match";
-    case SCENE_E_STRUCTURE:
-        return "an array lies outside the scene";
-    case SCENE_E_INDEX:
-        return "a reference to something that is not in the scene";
-    case SCENE_E_RANGE:
-        return "a value is outside its range";
-    }
-    return "unknown fault";
 }

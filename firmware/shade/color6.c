@@ -13,7 +13,7 @@ static void middle_colours(const struct shade_input *in, uint16_t out[3][3])
 {
     const struct surface *s = in->surface;
     int16_t dots[3][2 * SCENE_MAX_LIGHTS];
-    for (unsigned l = 0; l < s->lights; l++) {
+    for (unsigned l = 0; l < surface_lights(s); l++) {
         struct dots_samples samples;
         dots_sample(in, l, &samples);
         for (int k = 0; k < 3; k++) {
@@ -35,7 +35,7 @@ void shade_color6(struct shade_setup *setup, const struct shade_input *in)
     uint16_t middle[3][3];
     middle_colours(in, middle);
     plane_setup_quadratic(&setup->plane);
-    for (unsigned c = 0; c < in->surface->channels; c++) {
+    for (unsigned c = 0; c < surface_channels(in->surface); c++) {
         int32_t value[3], bulge[3];
         for (int k = 0; k < 3; k++) /* at most 2^16 in Q8 steps */
             value[k] = (int32_t)corner[k][c] * (1 << up) >> 2;

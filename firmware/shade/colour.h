@@ -15,7 +15,7 @@ const uint16_t *colour_corner(const struct shade_input *in, int k);
 static inline unsigned colour_bits(const struct surface *surface)
 {
     uint32_t top = surface->top[0];
-    if (surface->channels == 3)
+    if (surface_channels(surface) == 3)
         top |= surface->top[1] | surface->top[2];
     return 32u - 7u - fx_clz(top); /* Q15 there */
 }

@@ -26,7 +26,7 @@ void dots_sample(const struct shade_input *in, unsigned light, struct dots_sampl
             samples->corner[which][k] = in->lights[k][2 * light + (unsigned)which];
     for (int k = 0; k < 3; k++) {
         const int next = k == 2 ? 0 : k + 1;
-        if (!in->object->local) {
+        if (!object_local(in->object)) {
             for (int which = 0; which < 2; which++)
                 samples->middle[which][k] = samples->corner[which][k] + samples->corner[which][next];
             continue;
@@ -119,12 +119,13 @@ void dots_setup(struct shade_setup *setup, const struct shade_input *in, const s
     setup->runs_only = setup->depth.exact != 0;
     setup->perspective = perspective ? (uint8_t)(perspective->up + 1u) : 0;
     plane_setup_quadratic(&setup->plane);
-    const int folds = s->form && s->form->fold && factors->are_dots && !perspective && !in->tabled;
-    for (unsigned i = 0; i < s->lights; i++) {
+    const struct glint_power *const form = surface_form(s);
+    const int folds = form && form->fold && factors->are_dots && !perspective && !in->tabled;
+    for (unsigned i = 0; i < surface_lights(s); i++) {
         struct dots_samples samples;
         uint8_t *const shown[2] = {&setup->diffuse_lights, &setup->specular_lights};
         dots_sample(in, i, &samples);
-        for (unsigned which = 0; which < (s->highlights ? 2u : 1u); which++) {
+        for (unsigned which = 0; which < (surface_highlights(s) ? 2u : 1u); which++) {
             int32_t bulge[3];
             uint32_t error;
             struct bounds range = bounds_of(samples.corner[which]);
@@ -133,11 +134,11 @@ void dots_setup(struct shade_setup *setup, const struct shade_input *in, const s
             range.high = stretched(range.high, factors->stretch);
             int32_t bend = stretched(bend_of(bulge), factors->stretch);
             bend = bend < MOST_BEND ? bend : MOST_BEND;
-            if (!dots_show(setup, in, i, which, range, bend, s->form != 0, &error))
+            if (!dots_show(setup, in, i, which, range, bend, form != 0, &error))
                 continue;
             *shown[which] |= (uint8_t)(1u << i);
             interpolate(setup, in, 2 * i + which, error < s->bend_limit, samples.corner[which], bulge, perspective,
-                        which && folds ? s->form : 0);
+                        which && folds ? form : 0);
         }
     }
 }

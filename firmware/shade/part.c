@@ -47,10 +47,10 @@ void part_shade(const struct shade_input *in, struct part_corner *corner)
         place[i] >>= 15;
     }
     object_unit(sum, normal);
-    for (unsigned l = 0; l < s->lights; l++) {
+    for (unsigned l = 0; l < surface_lights(s); l++) {
         q14_t towards[3], half[3];
         object_light_at(object, l, place, towards, half);
-        if (!object->local)
+        if (!object_local(object))
             for (int i = 0; i < 3; i++)
                 towards[i] = object->light[l].towards[i];
         lights[2 * l] = object_dot(normal, towards);
@@ -68,7 +68,7 @@ void part_whole(const struct shade_input *in, int k, struct part_corner *corner)
         return;
     }
     const uint16_t *colour = colour_corner(in, k);
-    for (unsigned c = 0; c < in->surface->channels; c++)
+    for (unsigned c = 0; c < surface_channels(in->surface); c++)
         corner->colour[c] = colour[c];
 }
 
@@ -236,7 +236,7 @@ static __attribute__((noinline)) void narrow(struct shade_setup *setup, const st
     int64_t off = 0;                                                /* thrice the way from the middle to the origin */
     for (int k = 0; k < 3; k++)
         off += steep ? oy - (int64_t)p[k].y : ox - (int64_t)p[k].x;
-    for (unsigned c = 0; c < in->surface->channels; c++) {
+    for (unsigned c = 0; c < surface_channels(in->surface); c++) {
         const int32_t first = corner[from]->colour[c] >> 2, last = corner[to]->colour[c] >> 2;
         const int32_t sum = (corner[0]->colour[c] >> 2) + (corner[1]->colour[c] >> 2) + (corner[2]->colour[c] >> 2);
         const int64_t slope = (last - first) * inverse >> (28 - up); /* a pixel's, Q22 */
@@ -265,7 +265,7 @@ int part_linear(struct shade_setup *setup, const struct shade_input *in, const s
         narrow(setup, in, corner);
         return 1;
     }
-    for (unsigned c = 0; c < in->surface->channels; c++) {
+    for (unsigned c = 0; c < surface_channels(in->surface); c++) {
         int32_t value[3];
         for (int k = 0; k < 3; k++)
             value[k] = corner[k]->colour[c] >> (fine ? 0 : 2);
@@ -293,7 +293,7 @@ int part_quadratic(struct shade_setup *setup, const struct shade_input *in, cons
     /* Bends over 1 pixel's height are 4 times those over the 2 that plane_quadratic() is made for, over half a pixel 16
      * times: 2 or 4 bits less. Rounded, these still hold each sample within half of 1/255. */
     const int lost = frame.height < 16 ? 8 : frame.height < 32 ? 6 : 4;
-    for (unsigned c = 0; c < in->surface->channels; c++) {
+    for (unsigned c = 0; c < surface_channels(in->surface); c++) {
         int32_t value[3], bulge[3];
         for (int k = 0; k < 3; k++)
             value[k] = rounded(corner[k]->colour[c], lost);

@@ -4,7 +4,7 @@
 int perspective_setup(struct perspective *p, const struct shade_input *in)
 {
     uint32_t closeness[3], most = 1;
-    if (!in->divides)
+    if (!USES(USES_PERSPECTIVE) || !in->divides)
         return 0;
     for (int k = 0; k < 3; k++) {
         uint32_t depth = (uint16_t)in->place[k][VERTEX_DEPTH];

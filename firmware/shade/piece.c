@@ -85,7 +85,7 @@ static void find_places(const struct shade_input *in, const int16_t *place[3])
 void piece_place(struct shade_setup *setup, const struct shade_input *in)
 {
     const int16_t *place[3];
-    if (!in->object->local)
+    if (!object_local(in->object))
         return;
     find_places(in, place);
     piece_vectors(setup, in, place, setup->channel + 3);
@@ -95,7 +95,7 @@ void piece_place_perspective(struct shade_setup *setup, const struct shade_input
                              const struct perspective *perspective)
 {
     const int16_t *place[3];
-    if (!in->object->local)
+    if (!object_local(in->object))
         return;
     find_places(in, place);
     piece_vectors_perspective(setup, in, perspective, place, 1, setup->channel + 3);

@@ -3,6 +3,7 @@
 #ifndef GLINT_SHADE_H
 #define GLINT_SHADE_H
 
+#include "plan/plan.h"
 #include "shade/plane.h"
 #include "shade/surface.h"
 
@@ -28,6 +29,7 @@ struct shade_input {
     const struct surface *surface;
     uint16_t (
         *colours)[COLOUR_WORDS]; /* for finished colours; null: they are kept with the vertices, one CPU's alone */
+    struct shade_plan plan;      /* glint_auto: what this triangle takes */
     uint8_t divides;             /* the view is a perspective one */
     uint8_t no_plan;             /* keep effects that cannot show */
     uint8_t tabled;              /* a colour table holds the material's power, of N.H itself */
@@ -109,9 +111,17 @@ struct shade_setup {
     uint32_t flat[3]; /* flat: the finished colour, Q15 steps */
 };
 
+/* The lights whose highlight shows. */
+static inline unsigned shade_specular(const struct shade_setup *setup)
+{
+    return USES(USES_SPECULAR) ? setup->specular_lights : 0;
+}
+
 /* Each fills the channels it needs; plane and depth are done. */
 void shade_flat(struct shade_setup *setup, const struct shade_input *in);
 void shade_gouraud(struct shade_setup *setup, const struct shade_input *in);
+void shade_planned(struct shade_setup *setup, const struct shade_input *in); /* linear and six, as in->plan says */
+void shade_constant(struct shade_setup *setup, const struct shade_input *in);
 void shade_x(struct shade_setup *setup, const struct shade_input *in);
 void shade_x_perspective(struct shade_setup *setup, const struct shade_input *in);
 void shade_six(struct shade_setup *setup, const struct shade_input *in);

@@ -16,9 +16,10 @@ static uint32_t luma(const uint32_t rgb[3])
 /* Q15 intensities to the palette's channels: steps in Q(15 + fraction - 15). */
 FX_COLD static void to_steps(const struct palette *palette, const uint32_t rgb_q15[3], unsigned down, uint32_t *out)
 {
-    const uint32_t grey = palette->channels == 1 ? luma(rgb_q15) : 0;
+    const int is_grey = uses_channels(palette->channels) == 1;
+    const uint32_t grey = is_grey ? luma(rgb_q15) : 0;
     for (unsigned c = 0; c < 3; c++) /* 2^15 * 255; of a grey palette the others' tops are 0 */
-        out[c] = ((palette->channels == 1 ? grey : rgb_q15[c]) * palette->top[c]) >> down;
+        out[c] = ((is_grey ? grey : rgb_q15[c]) * palette->top[c]) >> down;
 }
 
 FX_COLD void surface_colour(const struct palette *palette, const uint16_t rgb_q15[3], uint32_t *out)
@@ -49,6 +50,7 @@ FX_COLD void surface_setup(struct surface *surface, const struct scene_header *s
     static const uint8_t limit[SCENE_MAX_LIGHTS + 1] = {128, 128, 64, 42, 32, 25, 21, 18, 16}; /* 128 / lights */
     uint32_t rgb[3];
     surface->power = scene_powers(scene) + material->power;
+    surface->plan.power = 0;
     surface->channels = palette->channels;
     surface->lights = (uint8_t)scene->light_count;
     surface->highlights = 0;
@@ -68,17 +70,50 @@ FX_COLD void surface_setup(struct surface *surface, const struct scene_header *s
     }
 }
 
+/* Steps of a channel's output (Q8) in 1/255 of full intensity, rounded up; at most 255 and a little. */
+static uint32_t in_255(uint32_t steps, unsigned top)
+{
+    return (steps * 255 + top - 1) / top; /* below 2^24 */
+}
+
+FX_COLD void surface_plan(struct surface *surface, const struct palette *palette, uint16_t budget)
+{
+    struct plan_surface *plan = &surface->plan;
+    uint32_t base = 0;
+    plan->power = surface->power;
+    plan->budget = budget;
+    plan->lights = surface->lights;
+    plan->highlights = surface->highlights;
+    plan->foot = (int16_t)((1 << 14) - ((1 << 14) >> surface->power->octave));
+    for (unsigned c = 0; c < surface->channels; c++) {
+        const uint32_t ambient = in_255(surface->base[c] >> 7, palette->top[c]);
+        base = ambient > base ? ambient : base;
+    }
+    plan->full = (uint16_t)(base < 255u << 8 ? (255u << 8) - base : 0);
+    for (unsigned i = 0; i < surface->lights; i++) {
+        uint32_t diffuse = 0, specular = 0;
+        for (unsigned c = 0; c < surface->channels; c++) {
+            const uint32_t d = in_255(surface->light[i].diffuse[c], palette->top[c]),
+                           h = in_255(surface->light[i].specular[c], palette->top[c]);
+            diffuse = d > diffuse ? d : diffuse;
+            specular = h > specular ? h : specular;
+        }
+        plan->light[i].diffuse = (uint16_t)diffuse;
+        plan->light[i].specular = (uint16_t)specular;
+    }
+}
+
 void surface_shade(const struct surface *surface, const int16_t *lights_q14, uint32_t *out)
 {
-    unsigned channels = surface->channels;
+    const unsigned channels = surface_channels(surface);
     for (unsigned c = 0; c < channels; c++)
         out[c] = surface->base[c];
-    for (unsigned i = 0; i < surface->lights; i++) {
+    for (unsigned i = 0; i < surface_lights(surface); i++) {
         int32_t l = lights_q14[2 * i], h = lights_q14[2 * i + 1];
         uint32_t diffuse = l > 0 ? (uint32_t)l << 1 : 0;
         for (unsigned c = 0; c < channels; c++)
             out[c] += surface_diffuse(diffuse, surface->light[i].diffuse[c]);
-        if (surface->highlights && h > 0) {
+        if (surface_highlights(surface) && h > 0) {
             uint32_t power = surface_power(surface, (q30_t)(h << 16)); /* h < 2^14 */
             for (unsigned c = 0; c < channels; c++)
                 out[c] += surface_diffuse(power, surface->light[i].specular[c]);

@@ -6,7 +6,7 @@
 #ifndef GLINT_SURFACE_H
 #define GLINT_SURFACE_H
 
-#include "geometry/object.h"
+#include "plan/plan.h"
 #include "shade/power.h"
 
 /* The output's channels: 1 (grey) or 3, and the largest value of each. */
@@ -19,18 +19,40 @@ struct surface {
     const struct fx_power *power;
     const struct glint_power *form; /* of the power; null: the table */
     uint8_t channels, lights;
-    uint8_t bend_limit; /* a bend that moves a channel by less is left out: half a step over all lights, Q8 */
-    uint8_t highlights; /* some channel of `specular` is not 0 */
-    uint32_t base[3];   /* ambient part, Q15 steps, at most 255 * 2^15 */
-    uint32_t top[3];    /* full intensity, Q15 steps */
+    uint8_t bend_limit;       /* a bend that moves a channel by less is left out: half a step over all lights, Q8 */
+    uint8_t highlights;       /* some channel of `specular` is not 0 */
+    struct plan_surface plan; /* glint_auto's; its power is null until surface_plan() has filled it */
+    uint32_t base[3];         /* ambient part, Q15 steps, at most 255 * 2^15 */
+    uint32_t top[3];          /* full intensity, Q15 steps */
     struct {
         uint16_t diffuse[3], specular[3];     /* at N.L = 1, (N.H)^n = 1: Q8 steps, at most 255 * 2^8 */
         uint16_t diffuse_most, specular_most; /* the largest of each */
     } light[SCENE_MAX_LIGHTS];
 };
 
+/* Of them, what a program for given scenes and formats knows at once. */
+static inline unsigned surface_channels(const struct surface *s)
+{
+    return uses_channels(s->channels);
+}
+static inline unsigned surface_lights(const struct surface *s)
+{
+    return USES(USES_SEVERAL_LIGHTS) ? s->lights : s->lights != 0;
+}
+static inline int surface_highlights(const struct surface *s)
+{
+    return USES(USES_SPECULAR) && s->highlights;
+}
+static inline const struct glint_power *surface_form(const struct surface *s)
+{
+    return USES(USES_POWERS) ? s->form : 0;
+}
+
 void surface_setup(struct surface *surface, const struct scene_header *scene, const struct scene_material *material,
                    const struct palette *palette);
+
+/* Fills surface->plan of a surface that is set up, for a budget in Q8 of 1/255. */
+void surface_plan(struct surface *surface, const struct palette *palette, uint16_t budget);
 
 /* A colour of the scene in Q15 steps; `out` has 3 entries, of a grey palette the others 0. */
 void surface_colour(const struct palette *palette, const uint16_t rgb_q15[3], uint32_t *out);
@@ -44,7 +66,7 @@ static inline uint32_t surface_diffuse(uint32_t n_dot_l_q15, uint16_t step_q8)
 /* (N.H)^n in Q15 of N.H in Q30. */
 static inline uint32_t surface_power(const struct surface *surface, q30_t n_dot_h)
 {
-    if (!surface->form)
+    if (!surface_form(surface))
         return fx_power(surface->power, n_dot_h);
     surface->form->run(surface->power->exponent, &n_dot_h, 1);
     return (uint32_t)n_dot_h;

@@ -75,16 +75,16 @@ void shade_x_perspective(struct shade_setup *setup, const struct shade_input *in
 
 void shade_x(struct shade_setup *setup, const struct shade_input *in)
 {
-    if (in->sampled && (in->object->local || in->surface->form)) {
+    if (in->sampled && (object_local(in->object) || surface_form(in->surface))) {
         setup_by_samples(setup, in, 0);
         return;
     }
     int32_t curl = bounds_curl(in->triangle->bend);
     setup->runs_only = setup->depth.exact != 0;
-    for (unsigned i = 0; i < in->surface->lights; i++) {
+    for (unsigned i = 0; i < surface_lights(in->surface); i++) {
         if (interpolate(setup, in, i, 0, curl))
             setup->diffuse_lights |= (uint8_t)(1u << i);
-        if (in->surface->highlights && interpolate(setup, in, i, 1, curl))
+        if (surface_highlights(in->surface) && interpolate(setup, in, i, 1, curl))
             setup->specular_lights |= (uint8_t)(1u << i);
     }
 }

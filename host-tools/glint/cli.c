@@ -44,15 +44,34 @@ bool cli_number(const char *text, uint32_t low, uint32_t high, uint32_t *value)
     return numbers_whole(text, low, high, value);
 }
 
-bool cli_fraction(const char *text, uint8_t *value)
+/* Decimal digits, times 256 and rounded: false if that is outside 1..most. */
+static bool cli_parts_of_256(const char *text, uint32_t most, uint32_t *value)
 {
     char *end;
     size_t plain = strspn(text, "0123456789.");
     double number = strtod(text, &end) * 256;
-    if (plain == 0 || text[plain] || end != text + plain || number < 1 || number >= 255.5)
+    if (plain == 0 || text[plain] || end != text + plain || number < 1 || number >= most + .5)
         return false;
-    *value = (uint8_t)(number + .5);
+    *value = (uint32_t)(number + .5);
     return true;
+}
+
+bool cli_fraction(const char *text, uint8_t *value)
+{
+    uint32_t number;
+    bool good = cli_parts_of_256(text, 255, &number);
+    if (good)
+        *value = (uint8_t)number;
+    return good;
+}
+
+bool cli_budget(const char *text, uint16_t *value)
+{
+    uint32_t number;
+    bool good = cli_parts_of_256(text, 255u << 8, &number);
+    if (good)
+        *value = (uint16_t)number;
+    return good;
 }
 
 bool cli_size(const char *text, uint16_t *width, uint16_t *height)

@@ -16,11 +16,12 @@ __attribute__((format(printf, 2, 3))) int cli_usage(const char *command, const c
 /* The same for a value that the option `name` does not take: prints what `help` says of that option. */
 int cli_refuse(const char *command, const char *help, const char *name, const char *value);
 
-/* A whole number in low..high, a decimal fraction as 1..255 of 256, or WIDTHxHEIGHT with both in 1..GLINT_MAX_SIZE. The
- * outputs change only on success. A turn is two angles in degrees, decimal, each at most 360 either way, apart by a
- * comma: to 1/65536 turns. */
+/* A whole number in low..high, a decimal fraction as 1..255 of 256, a decimal number up to 255 in Q8, or WIDTHxHEIGHT
+ * with both in 1..GLINT_MAX_SIZE. The outputs change only on success. A turn is two angles in degrees, decimal, each at
+ * most 360 either way, apart by a comma: to 1/65536 turns. */
 bool cli_number(const char *text, uint32_t low, uint32_t high, uint32_t *value);
 bool cli_fraction(const char *text, uint8_t *value);
+bool cli_budget(const char *text, uint16_t *value);
 bool cli_size(const char *text, uint16_t *width, uint16_t *height);
 bool cli_turn(const char *text, uint16_t *yaw, uint16_t *pitch);
 

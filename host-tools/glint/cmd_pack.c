@@ -2,6 +2,7 @@
 #include "glint/cli.h"
 #include "glint/commands.h"
 #include "pack/report.h"
+#include "pack/uses.h"
 
 #include <getopt.h>
 #include <string.h>
@@ -10,19 +11,24 @@
 static const char pack_command[] = "glint pack";
 
 static const char pack_help[] =
-    "usage: glint pack FILE -o OUT.glt|OUT.c [OPTION]...\n\n"
+    "usage: glint pack FILE -o OUT.glt|OUT.c [OPTION]...\n"
+    "       glint pack --uses FORMATS FILE...\n\n"
     "Makes the scene blob of a scene (.json) or model, or checks and copies one (.glt), and reports what was welded,\n"
     "dropped and rounded. Without -o it only reports.\n\n"
     "  -o, --output FILE          write the blob (.glt), or the same as const C (.c); - is standard output\n"
     "      --output-format glt|c  whatever the output's name\n"
     "      --name NAME            C identifier of the array (default: from the name of the output file)\n"
     "      --shininess N          give every material this exponent, 1..1023\n"
+    "      --uses FORMATS         print what a program that draws these scenes must be compiled with "
+    "(firmware/uses.h);\n"
+    "                             FORMATS, apart by commas: rgb565, rgb888, grey8, grey4, and dither\n"
     "      --help\n";
 
 struct pack_arguments {
     const char *output, *name;
     struct pack_options options;
-    int format; /* index into pack_formats */
+    uint32_t uses; /* formats; 0: not asked */
+    int format;    /* index into pack_formats */
 };
 
 static const char *const pack_formats[] = {"glt", "c"};
@@ -37,10 +43,13 @@ static bool pack_ends_with(const char *path, const char *ending)
 /* Exit code, or -1 to go on. */
 static int pack_parse(int argc, char **argv, struct pack_arguments *a)
 {
-    static const struct option long_options[] = {
-        {"output", required_argument, NULL, 'o'}, {"output-format", required_argument, NULL, 'f'},
-        {"name", required_argument, NULL, 'n'},   {"shininess", required_argument, NULL, 's'},
-        {"help", no_argument, NULL, 'h'},         {0}};
+    static const struct option long_options[] = {{"output", required_argument, NULL, 'o'},
+                                                 {"output-format", required_argument, NULL, 'f'},
+                                                 {"name", required_argument, NULL, 'n'},
+                                                 {"shininess", required_argument, NULL, 's'},
+                                                 {"uses", required_argument, NULL, 'u'},
+                                                 {"help", no_argument, NULL, 'h'},
+                                                 {0}};
     int option;
     uint32_t number;
     while ((option = getopt_long(argc, argv, "o:h", long_options, NULL)) != -1) {
@@ -62,6 +71,12 @@ static int pack_parse(int argc, char **argv, struct pack_arguments *a)
                 return cli_usage(pack_command, "--shininess is 1..%u, not '%s'", FX_POWER_MAX_EXPONENT, optarg);
             a->options.shininess = number;
             break;
+        case 'u':
+            a->uses = uses_find(optarg);
+            if (!(a->uses & USES_FORMATS))
+                return cli_usage(pack_command, "--uses takes rgb565, rgb888, grey8, grey4 and dither, not '%s'",
+                                 optarg);
+            break;
         case 'h':
             fputs(pack_help, stdout);
             return CLI_DONE;
@@ -69,7 +84,9 @@ static int pack_parse(int argc, char **argv, struct pack_arguments *a)
             return CLI_BAD_USAGE;
         }
     }
-    if (argc - optind != 1)
+    if (a->uses && (a->output || a->name || a->format >= 0))
+        return cli_usage(pack_command, "--uses writes no scene");
+    if (argc - optind != 1 && !(a->uses && optind < argc))
         return cli_usage(pack_command, "one scene or model is needed");
     if (a->format < 0 && a->output && pack_ends_with(a->output, ".glt"))
         a->format = PACK_GLT;
@@ -82,6 +99,23 @@ static int pack_parse(int argc, char **argv, struct pack_arguments *a)
     return -1;
 }
 
+/* A line that is a C header of its own. */
+static int pack_print_uses(char **paths, uint32_t uses, const struct pack_options *options)
+{
+    for (; *paths; paths++) {
+        struct pack_result result;
+        int code = pack_load(*paths, options, &result);
+        if (code)
+            return code;
+        uses |= scene_effects(result.scene);
+        pack_free(&result);
+    }
+    printf("#define GLINT_USES 0x%06xu /*", (unsigned)uses);
+    uses_print(stdout, uses);
+    puts(" */");
+    return CLI_DONE;
+}
+
 int cmd_pack(int argc, char **argv)
 {
     struct pack_arguments a = {.format = -1};
@@ -91,6 +125,8 @@ int cmd_pack(int argc, char **argv)
     int code = pack_parse(argc, argv, &a);
     if (code >= 0)
         return code;
+    if (a.uses)
+        return pack_print_uses(argv + optind, a.uses, &a.options);
     code = pack_load(argv[optind], &a.options, &result);
     if (code)
         return code;

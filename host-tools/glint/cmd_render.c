@@ -25,6 +25,7 @@ static const char render_help[] =
     "                         standard output\n"
     "      --key N            of a stream: a picture in N refers to none before it, 1..1000000, default 60\n"
     "      --method M         one of `glint methods`, default x\n"
+    "      --budget N         auto: how far a pixel may be off, .01 to 255 in 1/255, default 2\n"
     "      --subdivide MODE   with --method subdivide: centre (default), regular, highlight, recursive, hybrid, "
     "hybrid-x\n"
     "      --tolerance N      subdivide centre: splits while the centre errs by more, 1..255 in 1/255, default 4\n"
@@ -69,6 +70,7 @@ enum render_option {
     RENDER_HELP = 'h',
     RENDER_OUTPUT_FORMAT = 256,
     RENDER_METHOD,
+    RENDER_BUDGET,
     RENDER_POWER,
     RENDER_SUBDIVIDE,
     RENDER_TOLERANCE,
@@ -97,6 +99,7 @@ enum render_option {
 static const struct option render_options[] = {{"output", required_argument, NULL, RENDER_OUTPUT},
                                                {"output-format", required_argument, NULL, RENDER_OUTPUT_FORMAT},
                                                {"method", required_argument, NULL, RENDER_METHOD},
+                                               {"budget", required_argument, NULL, RENDER_BUDGET},
                                                {"power", required_argument, NULL, RENDER_POWER},
                                                {"subdivide", required_argument, NULL, RENDER_SUBDIVIDE},
                                                {"tolerance", required_argument, NULL, RENDER_TOLERANCE},
@@ -150,6 +153,8 @@ static bool render_value(struct render *render, int option, const char *text)
         return true;
     case RENDER_FORMAT:
         return render_choose(cli_choice(text, cli_formats, GLINT_FORMATS), &config->format);
+    case RENDER_BUDGET:
+        return cli_budget(text, &config->budget);
     case RENDER_POWER:
         return render_choose_power(text, &config->power);
     case RENDER_SIZE:

@@ -18,6 +18,13 @@ void tally_add(struct tally *tally, const struct glint_stats *stats)
     tally->potentially_highlighted += stats->potentially_highlighted;
     tally->specular_triangles += stats->specular_triangles;
     tally->linear_triangles += stats->linear_triangles;
+    tally->hidden_lights += stats->hidden_lights;
+    tally->hidden_highlights += stats->hidden_highlights;
+    tally->dropped_highlights += stats->dropped_highlights;
+    tally->straightened += stats->straightened;
+    tally->undivided += stats->undivided;
+    if (tally->largest_error < stats->largest_error)
+        tally->largest_error = stats->largest_error;
     for (int m = 0; m < GLINT_METHODS; m++) {
         tally->drawn[m] += stats->drawn[m];
         tally->pixels[m] += stats->pixels[m];
@@ -48,6 +55,23 @@ static void tally_methods(const char *name, const uint64_t count[GLINT_METHODS],
     printf("\n");
 }
 
+/* What auto left out. */
+static void tally_plan(const struct tally *tally, const struct glint_config *config, bool json)
+{
+    const double budget = (config->budget ? config->budget : GLINT_BUDGET(2, 1)) / 256.0;
+    tally_count("hidden_lights", tally->hidden_lights, "not computed: they reach no pixel of a triangle (exact)", json);
+    tally_count("hidden_highlights", tally->hidden_highlights, "likewise (exact)", json);
+    tally_count("dropped_highlights", tally->dropped_highlights, "too faint for the budget", json);
+    tally_count("straightened", tally->straightened, "N.L and N.H that bend too little for it", json);
+    tally_count("undivided", tally->undivided, "drawn without perspective correction, which it does not see", json);
+    const double error = tally->largest_error / 256.0;
+    if (json)
+        printf("\"budget\": %.3f, \"largest_error\": %.3f, ", budget, error);
+    else
+        printf("%-20s %.2f  in 1/255\n%-20s %.2f  the largest bound of a triangle's error\n", "budget", budget,
+               "largest_error", error);
+}
+
 void tally_print(const struct tally *tally, const struct renderer *renderer, bool json)
 {
     const struct glint_config *config = &renderer->config;
@@ -75,5 +99,7 @@ void tally_print(const struct tally *tally, const struct renderer *renderer, boo
     tally_count("highlight_tests", tally->highlight_tests, "of triangles, where the method asks for them", json);
     tally_count("potentially_highlighted", tally->potentially_highlighted, "those that passed", json);
     tally_count("setups", tally->setups, "", json);
+    if (config->method == &glint_auto)
+        tally_plan(tally, config, json);
     printf(json ? "\"ms_per_frame\": %.3f}\n" : "ms_per_frame         %.3f  on this machine, without output\n", each);
 }

@@ -12,7 +12,9 @@ struct tally {
     uint32_t frames;
     double milliseconds;
     uint64_t triangles, culled, rejected, clipped, dropped, setups, specular_triangles, linear_triangles,
-        highlight_tests, potentially_highlighted;
+        highlight_tests, potentially_highlighted, hidden_lights, hidden_highlights, dropped_highlights, straightened,
+        undivided;
+    uint16_t largest_error; /* of any frame */
     uint64_t drawn[GLINT_METHODS], pixels[GLINT_METHODS];
 };
 

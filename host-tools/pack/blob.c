@@ -3,6 +3,9 @@
 
 #include "pack/convert.h"
 #include "pack/quantise.h"
+#include "pack/texture.h"
+#include "scene/scene_effects.h"
+#include "scene/texel.h"
 
 #include <limits.h>
 #include <stdlib.h>
@@ -101,6 +104,34 @@ static uint16_t find_power(struct fx_power *powers, uint16_t *count, unsigned ex
     return i;
 }
 
+/* The textures that the materials use, in the model's order; fills `map` with their indices in the blob. */
+static void put_textures(struct builder *b, const struct scene_material *materials, uint16_t *map)
+{
+    const size_t all = b->model->texture_count;
+    struct scene_texture *textures = model_alloc(all * sizeof *textures);
+    struct pack_report *report = b->report;
+    report->textures = model_alloc(all * sizeof *report->textures);
+    for (unsigned i = 0; i < b->header.material_count; i++)
+        for (size_t t = 0; t < all; t++)
+            map[t] |= materials[i].texture == t || materials[i].bump == t;
+    for (size_t t = 0; t < all; t++)
+        if (map[t]) {
+            struct texture_packed packed;
+            texture_pack(&b->model->textures[t], &packed, &report->textures[report->texture_count++]);
+            packed.head.texels = put(b, packed.texels, packed.size);
+            packed.head.palette = put(b, packed.palette, packed.head.colours * sizeof *packed.palette);
+            map[t] = b->header.texture_count;
+            textures[b->header.texture_count++] = packed.head;
+            texture_free(&packed);
+        }
+    b->header.textures = put(b, textures, b->header.texture_count * sizeof *textures);
+    for (unsigned i = 0; i < b->header.texture_count; i++) {
+        struct scene_texture *at = (struct scene_texture *)(b->bytes + b->header.textures) + i;
+        at->contrast = texel_contrast((struct scene_header *)b->bytes, at);
+    }
+    free(textures);
+}
+
 /* Materials that triangles use, in the model's order; triangles are changed to the blob's indices. */
 static void put_materials(struct builder *b)
 {
@@ -119,6 +150,8 @@ static void put_materials(struct builder *b)
             map[i] = count;
             materials[count] = convert_material(&b->model->materials[i]);
             materials[count].power = find_power(powers, &b->header.power_count, materials[count].shininess);
+            materials[count].texture = (uint16_t)b->model->materials[i].texture; /* of the model as yet */
+            materials[count].bump = (uint16_t)b->model->materials[i].bump;
             count++;
         }
     for (size_t v = 0; v < b->variant_count; v++)
@@ -128,6 +161,14 @@ static void put_materials(struct builder *b)
                 part->triangles[t].material = (uint16_t)map[part->triangles[t].material];
         }
     b->header.material_count = (uint16_t)count;
+    uint16_t *textures = model_alloc(b->model->texture_count * sizeof *textures);
+    put_textures(b, materials, textures);
+    for (uint32_t i = 0; i < count; i++) {
+        struct scene_material *m = &materials[i];
+        m->texture = m->texture == SCENE_NO_TEXTURE ? m->texture : textures[m->texture];
+        m->bump = m->bump == SCENE_NO_TEXTURE ? m->bump : textures[m->bump];
+    }
+    free(textures);
     b->header.materials = put(b, materials, count * sizeof *materials);
     b->header.powers = put(b, powers, b->header.power_count * sizeof *powers);
     free(map);
@@ -189,6 +230,7 @@ static void put_meshes(struct builder *b)
             out->vertices = put(b, part->vertices, out->vertex_count * sizeof *part->vertices);
             out->triangles = put(b, part->triangles, out->triangle_count * sizeof *part->triangles);
             out->uvs = put(b, part->uvs, part->uvs ? out->vertex_count * sizeof *part->uvs : 0);
+            out->tangents = put(b, part->tangents, part->tangents ? out->vertex_count * sizeof *part->tangents : 0);
             out++;
         }
     memcpy(b->bytes + b->header.meshes, meshes, b->header.mesh_count * sizeof *meshes);
@@ -217,7 +259,9 @@ static int lay_out(struct builder *b)
     b->header.camera = convert_camera(&model->camera);
     convert_colour(model->ambient, b->header.ambient);
     convert_colour(model->background, b->header.background);
+    b->header.fog = convert_fog(&model->fog);
     memcpy(b->bytes, &b->header, sizeof b->header);
+    ((struct scene_header *)b->bytes)->effects = scene_effects((struct scene_header *)b->bytes);
     seal((struct scene_header *)b->bytes);
     enum scene_fault fault = scene_check(b->bytes, b->size);
     if (fault) /* what the readers let through and the blob cannot hold */
@@ -229,8 +273,8 @@ int blob_build(const struct model *model, const char *path, struct pack_result *
 {
     struct builder b = {.model = model, .path = path, .report = model_alloc(sizeof *b.report)};
     int code = PACK_OK;
-    if (model->material_count > UINT16_MAX || model->key_count > UINT16_MAX) {
-        fprintf(stderr, "%s: more than 65535 materials or keys\n", path);
+    if (model->material_count > UINT16_MAX || model->key_count > UINT16_MAX || model->texture_count >= UINT16_MAX) {
+        fprintf(stderr, "%s: more than 65535 materials, keys or textures\n", path);
         code = PACK_BAD_DATA;
     }
     if (!code) {

@@ -37,9 +37,24 @@ struct scene_material convert_material(const struct model_material *in)
                                  .kd = (uint16_t)convert_q(in->kd, 15),
                                  .ks = (uint16_t)convert_q(in->ks, 15),
                                  .shininess = (uint16_t)fmin(fmax(convert_q(in->shininess, 0), 1), 1023),
-                                 .flags = in->flat ? MATERIAL_FLAT : 0};
+                                 .texture = SCENE_NO_TEXTURE,
+                                 .bump = SCENE_NO_TEXTURE};
+    out.flags = (uint16_t)((in->flat ? MATERIAL_FLAT : 0) | (in->two_sided ? MATERIAL_TWO_SIDED : 0));
     convert_colour(in->diffuse, out.diffuse);
     convert_colour(in->specular, out.specular);
+    return out;
+}
+
+struct scene_fog convert_fog(const struct model_fog *in)
+{
+    struct scene_fog out = {.kind = (uint16_t)in->kind};
+    if (in->kind == FOG_LINEAR) {
+        out.from = convert_q(in->from, 16);
+        out.to = convert_q(in->to, 16);
+    } else if (in->kind == FOG_EXPONENTIAL) {
+        out.density = (uint32_t)fmax(convert_q(in->density, 24), 1);
+    }
+    convert_colour(in->colour, out.colour);
     return out;
 }
 

@@ -77,7 +77,6 @@ int frame_load(const char *path, struct model *model)
         return code;
     }
     struct model_mesh *mesh = &model->meshes[0];
-    mesh->has_uvs = false; /* nothing here would use them */
     import_fit(mesh);
 
     size_t length = strlen(path);

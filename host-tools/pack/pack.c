@@ -84,8 +84,12 @@ void pack_free(struct pack_result *result)
     free((void *)(uintptr_t)result->scene);
     for (size_t i = 0; result->report && i < result->report->mesh_count; i++)
         free(result->report->meshes[i].name);
-    if (result->report)
+    for (size_t i = 0; result->report && i < result->report->texture_count; i++)
+        free(result->report->textures[i].name);
+    if (result->report) {
         free(result->report->meshes);
+        free(result->report->textures);
+    }
     free(result->report);
     *result = (struct pack_result){0};
 }

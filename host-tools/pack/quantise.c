@@ -52,11 +52,36 @@ static const char *choose_grid(struct state *s)
     return NULL;
 }
 
-/* Whole turns of texture coordinates mean nothing, so the range is moved to start within 0..1 below the lowest. */
-static void choose_uvs(struct state *s)
+/* What a material asks of the mesh. */
+struct wants {
+    bool uvs, clamp[2];
+};
+
+static struct wants find_wants(const struct model *model, const struct model_mesh *mesh, int material)
+{
+    struct wants wants = {false, {false, false}};
+    for (size_t i = 0; i < mesh->triangle_count; i++) {
+        const struct model_material *m =
+            &model->materials[material >= 0 ? (uint32_t)material : mesh->triangles[i].material];
+        const int maps[2] = {m->texture, m->bump};
+        for (int k = 0; k < 2; k++)
+            if (maps[k] >= 0) {
+                wants.uvs = true;
+                wants.clamp[0] |= model->textures[maps[k]].clamp[0];
+                wants.clamp[1] |= model->textures[maps[k]].clamp[1];
+            }
+    }
+    return wants;
+}
+
+/* Whole turns of texture coordinates mean nothing where textures repeat, so the range is moved to start within 0..1
+ * below the lowest. Returns null, or why textures cannot be drawn. */
+static const char *choose_uvs(struct state *s, const struct wants *wants)
 {
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
-    s->uvs = s->mesh->has_uvs;
+    s->uvs = s->mesh->has_uvs && (s->mesh->keeps_uvs || wants->uvs);
+    if (wants->uvs && !s->uvs)
+        return "has a texture, but no texture coordinates";
     for (size_t i = 0; s->uvs && i < s->mesh->vertex_count; i++)
         for (int k = 0; k < 2; k++) {
             double uv = s->mesh->vertices[i].uv[k];
@@ -67,9 +92,12 @@ static void choose_uvs(struct state *s)
     for (int k = 0; s->uvs && k < 2; k++) {
         bool fits = low[k] >= -8 && high[k] < 8 - 1. / 8192;
         s->uv_origin[k] = fits ? 0 : floor(low[k]) + 8;
-        s->uvs = fabs(low[k]) < 1e9 && high[k] - s->uv_origin[k] < 8 - 1. / 8192;
+        s->uvs = fabs(low[k]) < 1e9 && high[k] - s->uv_origin[k] < 8 - 1. / 8192 && (fits || !wants->clamp[k]);
     }
-    s->report->uvs_dropped = s->mesh->has_uvs && !s->uvs;
+    s->report->uvs_dropped = s->mesh->has_uvs && s->mesh->keeps_uvs && !s->uvs;
+    return wants->uvs && !s->uvs
+               ? "has texture coordinates that span more than 16, or beyond -8..8 of a clamped texture"
+               : NULL;
 }
 
 static void quantise_corner(const struct state *s, const struct model_vertex *in, const double normal[3],
@@ -195,7 +223,10 @@ const char *quantise_mesh(const struct model *model, const struct model_mesh *me
     const char *reason = mesh->triangle_count == 0 ? "has no triangles" : choose_grid(&s);
     if (reason)
         return reason;
-    choose_uvs(&s);
+    const struct wants wants = find_wants(model, mesh, material);
+    reason = choose_uvs(&s, &wants);
+    if (reason)
+        return reason;
     s.slots = model_alloc(SLOTS * sizeof *s.slots);
     for (size_t i = 0; i < mesh->triangle_count; i++) {
         uint32_t m = material >= 0 ? (uint32_t)material : mesh->triangles[i].material;
@@ -217,6 +248,7 @@ void quantise_free(struct quantise_mesh *mesh)
         free(mesh->parts[i].vertices);
         free(mesh->parts[i].triangles);
         free(mesh->parts[i].uvs);
+        free(mesh->parts[i].tangents);
     }
     free(mesh->parts);
     *mesh = (struct quantise_mesh){0};

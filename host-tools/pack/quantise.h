@@ -15,6 +15,7 @@ struct quantise_part {
     struct scene_vertex *vertices;
     struct scene_triangle *triangles; /* materials as in the model */
     int16_t (*uvs)[2];                /* null: none */
+    struct scene_tangent *tangents;   /* null: none */
 };
 
 struct quantise_mesh {

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "pack/report.h"
 
+#include "pack/uses.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -8,8 +10,8 @@
 
 static const char *const normals_names[] = {"given", "smoothed", "flat"};
 
-const char *const report_parts[REPORT_PARTS] = {"header",    "meshes", "vertices", "triangles", "uvs",
-                                                "materials", "powers", "lights",   "objects",   "keys"};
+const char *const report_parts[REPORT_PARTS] = {"header",    "meshes", "vertices", "triangles", "uvs",  "tangents",
+                                                "materials", "powers", "lights",   "objects",   "keys", "textures"};
 
 struct report_totals report_count(const struct scene_header *s)
 {
@@ -25,6 +27,13 @@ struct report_totals report_count(const struct scene_header *s)
         t.bytes[REPORT_VERTICES] += m->vertex_count * sizeof(struct scene_vertex);
         t.bytes[REPORT_TRIANGLES] += m->triangle_count * sizeof(struct scene_triangle);
         t.bytes[REPORT_UVS] += m->uvs ? m->vertex_count * 2 * sizeof(int16_t) : 0;
+        t.bytes[REPORT_TANGENTS] += m->tangents ? m->vertex_count * sizeof(struct scene_tangent) : 0;
+    }
+    for (unsigned i = 0; i < s->texture_count; i++) {
+        const struct scene_texture *x = &scene_textures(s)[i];
+        const size_t texels = (size_t)1 << (x->log2_width + x->log2_height);
+        t.bytes[REPORT_TEXTURES] +=
+            sizeof *x + texels * (x->format == TEXTURE_PALETTE8 ? 1 : 2) + x->colours * sizeof(uint32_t);
     }
     for (unsigned i = 0; i < s->object_count; i++) {
         const struct scene_mesh *m = &scene_meshes(s)[scene_objects(s)[i].mesh];
@@ -53,6 +62,25 @@ void report_print_bytes(FILE *out, const struct scene_header *s)
     fputc('\n', out);
 }
 
+static void print_texture(FILE *out, const struct pack_texture_report *t)
+{
+    fprintf(out, "texture  \"%s\": %ux%u", t->name, t->size[0], t->size[1]);
+    if (t->read[0] != t->size[0] || t->read[1] != t->size[1])
+        fprintf(out, ", resampled from %ux%u", t->read[0], t->read[1]);
+    if (t->colours_read)
+        fprintf(out, ", %u colours", t->colours_read);
+    if (t->colours_read > 256)
+        fputs(" brought down to 256", out);
+    fprintf(out, ", colours off by %.2f/255 rms\n", t->error);
+}
+
+void report_print_effects(FILE *out, const struct scene_header *s)
+{
+    fputs("effects ", out);
+    uses_print(out, scene_effects(s));
+    fputc('\n', out);
+}
+
 void report_print(FILE *out, const struct pack_result *result)
 {
     const struct scene_header *s = result->scene;
@@ -69,9 +97,13 @@ void report_print(FILE *out, const struct pack_result *result)
         if (m->parts > 1)
             fprintf(out, "         split into %u meshes of at most 65535 vertices and triangles\n", m->parts);
     }
+    for (size_t i = 0; result->report && i < result->report->texture_count; i++)
+        print_texture(out, &result->report->textures[i]);
     if (result->report && result->report->unused_meshes)
         fprintf(out, "unused   %u meshes that no object shows were left out\n", result->report->unused_meshes);
-    fprintf(out, "scene    %u meshes, %u materials, %u power tables, %u lights, %u objects, %u keys\n", s->mesh_count,
+    fprintf(out, "scene    %u meshes, %u materials, %u power tables, %u lights, %u objects, %u keys", s->mesh_count,
             s->material_count, s->power_count, s->light_count, s->object_count, s->key_count);
+    fprintf(out, s->texture_count ? ", %u textures\n" : "\n", s->texture_count);
+    report_print_effects(out, s);
     report_print_bytes(out, s);
 }

@@ -19,10 +19,19 @@ struct pack_mesh_report {
     double normal_error;   /* largest, degrees */
 };
 
+struct pack_texture_report {
+    char *name;
+    unsigned read[2], size[2]; /* columns and rows, as read and as packed */
+    unsigned colours_read;     /* of a palette: before they were brought down to 256 */
+    double error;              /* root mean square of what rounding colours did, 1/255 */
+};
+
 struct pack_report {
     struct pack_mesh_report *meshes; /* one for each mesh and material override that an object uses */
     size_t mesh_count;
     unsigned unused_meshes;
+    struct pack_texture_report *textures; /* one for each that a material uses */
+    size_t texture_count;
 };
 
 /* What packing did, and the blob's bytes. */
@@ -34,11 +43,13 @@ enum {
     REPORT_VERTICES,
     REPORT_TRIANGLES,
     REPORT_UVS,
+    REPORT_TANGENTS,
     REPORT_MATERIALS,
     REPORT_POWERS,
     REPORT_LIGHTS,
     REPORT_OBJECTS,
     REPORT_KEYS,
+    REPORT_TEXTURES,
     REPORT_PARTS
 };
 extern const char *const report_parts[REPORT_PARTS];
@@ -49,6 +60,8 @@ struct report_totals {
 };
 
 struct report_totals report_count(const struct scene_header *scene);
+/* What the scene can need of the renderer (firmware/uses.h). */
+void report_print_effects(FILE *out, const struct scene_header *scene);
 void report_print_bytes(FILE *out, const struct scene_header *scene);
 
 /* The largest angle between two vertex normals of a triangle, in degrees. */

@@ -2,6 +2,7 @@
 #include "pack/summary.h"
 
 #include "pack/report.h"
+#include "pack/uses.h"
 
 #include <jansson.h>
 #include <math.h>
@@ -69,6 +70,7 @@ void summary_print(FILE *out, const struct scene_header *s)
                 Q(o->position[1], 16), Q(o->position[2], 16), Q(o->scale, 16));
         print_motion(out, &o->motion);
     }
+    report_print_effects(out, s);
     report_print_bytes(out, s);
 }
 
@@ -152,6 +154,15 @@ static json_t *json_camera(const struct scene_camera *c)
                      Q(c->rotation[2], 30), Q(c->rotation[3], 30));
 }
 
+static json_t *json_effects(const struct scene_header *s)
+{
+    json_t *array = json_array();
+    for (const struct uses_name *n = uses_names; n->name; n++)
+        if (scene_effects(s) & n->bit)
+            json_array_append_new(array, json_string(n->name));
+    return array;
+}
+
 void summary_json(FILE *out, const struct scene_header *s)
 {
     struct report_totals t = report_count(s);
@@ -164,6 +175,7 @@ void summary_json(FILE *out, const struct scene_header *s)
                   (int)t.triangles, "ambient", json_colour(s->ambient), "background", json_colour(s->background),
                   "camera", json_camera(&s->camera), "meshes", json_meshes(s), "materials", json_materials(s), "lights",
                   json_lights(s), "objects", json_objects(s), "bytes", bytes);
+    json_object_set_new(root, "effects", json_effects(s));
     json_dumpf(root, out, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
     fputc('\n', out);
     json_decref(root);

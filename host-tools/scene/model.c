@@ -54,7 +54,8 @@ struct model_material *model_add_material(struct model *model, const char *name)
 {
     model->materials = add(model->materials, &model->material_count, sizeof *model->materials);
     struct model_material *m = &model->materials[model->material_count - 1];
-    *m = (struct model_material){.diffuse = {1, 1, 1}, .specular = {1, 1, 1}, .ka = 1, .kd = 1, .shininess = 1};
+    *m = (struct model_material){
+        .diffuse = {1, 1, 1}, .specular = {1, 1, 1}, .ka = 1, .kd = 1, .shininess = 1, .texture = -1, .bump = -1};
     m->name = model_copy(name);
     return m;
 }
@@ -78,6 +79,14 @@ struct model_key *model_add_key(struct model *model)
 {
     model->keys = add(model->keys, &model->key_count, sizeof *model->keys);
     return &model->keys[model->key_count - 1];
+}
+
+struct model_texture *model_add_texture(struct model *model, const char *name)
+{
+    model->textures = add(model->textures, &model->texture_count, sizeof *model->textures);
+    struct model_texture *texture = &model->textures[model->texture_count - 1];
+    texture->name = model_copy(name);
+    return texture;
 }
 
 uint32_t model_add_vertex(struct model_mesh *mesh, const double position[3], const double normal[3], double u, double v)
@@ -113,6 +122,14 @@ int model_find_material(const struct model *model, const char *name)
     return -1;
 }
 
+int model_find_texture(const struct model *model, const char *name)
+{
+    for (size_t i = 0; i < model->texture_count; i++)
+        if (!strcmp(model->textures[i].name, name))
+            return (int)i;
+    return -1;
+}
+
 void model_free(struct model *model)
 {
     for (size_t i = 0; i < model->mesh_count; i++) {
@@ -122,6 +139,11 @@ void model_free(struct model *model)
     }
     for (size_t i = 0; i < model->material_count; i++)
         free(model->materials[i].name);
+    for (size_t i = 0; i < model->texture_count; i++) {
+        free(model->textures[i].name);
+        free(model->textures[i].rgb);
+    }
+    free(model->textures);
     free(model->meshes);
     free(model->materials);
     free(model->objects);

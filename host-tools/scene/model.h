@@ -32,13 +32,29 @@ struct model_mesh {
     struct model_triangle *triangles;
     size_t vertex_count, vertex_room, triangle_count, triangle_room;
     enum model_normals normals; /* where they come from, for the report */
-    bool has_uvs;               /* worth keeping */
+    bool has_uvs;               /* its vertices have texture coordinates */
+    bool keeps_uvs;             /* they are kept though no material of it has a texture */
 };
 
 struct model_material {
     char *name;
     double diffuse[3], specular[3], ka, kd, ks, shininess;
-    bool flat;
+    bool flat, two_sided;
+    int texture, bump; /* -1: none */
+};
+
+/* Colours, as read or made; packing brings it to powers of two. */
+struct model_texture {
+    char *name; /* a file's: its path */
+    int format; /* enum scene_texture_format */
+    bool bilinear, clamp[2];
+    unsigned width, height;
+    uint8_t *rgb; /* top row first */
+};
+
+struct model_fog {
+    int kind; /* enum scene_fog_kind */
+    double colour[3], from, to, density;
 };
 
 struct model_pose {
@@ -83,8 +99,10 @@ struct model {
     struct model_object *objects;
     struct model_light *lights;
     struct model_key *keys;
-    size_t mesh_count, material_count, object_count, light_count, key_count;
+    struct model_texture *textures;
+    size_t mesh_count, material_count, object_count, light_count, key_count, texture_count;
     double ambient[3], background[3];
+    struct model_fog fog;
     uint32_t duration_ms;
     struct model_camera camera;
 };
@@ -98,6 +116,7 @@ struct model_material *model_add_material(struct model *model, const char *name)
 struct model_object *model_add_object(struct model *model);
 struct model_light *model_add_light(struct model *model);
 struct model_key *model_add_key(struct model *model);
+struct model_texture *model_add_texture(struct model *model, const char *name);
 
 uint32_t model_add_vertex(struct model_mesh *mesh, const double position[3], const double normal[3], double u,
                           double v);
@@ -106,6 +125,7 @@ void model_add_triangle(struct model_mesh *mesh, uint32_t a, uint32_t b, uint32_
 /* Index of the mesh or material of that name, or -1. */
 int model_find_mesh(const struct model *model, const char *name);
 int model_find_material(const struct model *model, const char *name);
+int model_find_texture(const struct model *model, const char *name);
 
 void model_free(struct model *model);
 

@@ -116,7 +116,7 @@ static void read_mesh(const struct node *node, struct model *model, const char *
     struct model_mesh *mesh = &model->meshes[index];
     for (size_t i = 0; material >= 0 && i < mesh->triangle_count; i++)
         mesh->triangles[i].material = (uint32_t)material;
-    mesh->has_uvs = node_bool(&uvs, false) && mesh->has_uvs;
+    mesh->keeps_uvs = node_bool(&uvs, false);
     if (node_bool(&fit, false))
         import_fit(mesh);
     if (node_member_choice(node, "shading", "smooth flat", 0) == 1 && !node->file->failed)

@@ -3,7 +3,7 @@
 #ifndef SCENE_CASE_H
 #define SCENE_CASE_H
 
-#include "scene/scene.h"
+#include "scene/scene_effects.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -110,6 +110,7 @@ static inline struct scene_header *scene_case_blob(const struct scene_case *c)
     struct fx_power *power = scene_case_take(blob, &blob->powers, c->material_count, sizeof *power, NULL);
     for (unsigned i = 0; i < c->material_count; i++) {
         material[i].power = (uint16_t)i;
+        material[i].texture = material[i].bump = SCENE_NO_TEXTURE;
         fx_power_build(&power[i], material[i].shininess);
     }
     struct scene_mesh *mesh = scene_case_take(blob, &blob->meshes, c->mesh_count, sizeof *mesh, NULL);
@@ -121,6 +122,7 @@ static inline struct scene_header *scene_case_blob(const struct scene_case *c)
         scene_case_take(blob, &mesh[i].vertices, from->vertex_count, sizeof *from->vertices, from->vertices);
         scene_case_take(blob, &mesh[i].triangles, from->triangle_count, sizeof *from->triangles, from->triangles);
     }
+    blob->effects = scene_effects(blob);
     blob->crc = scene_crc32(0, (const uint8_t *)blob + 16, blob->length - 16);
     assert_int_equal(scene_check(blob, blob->length), SCENE_OK);
     return blob;

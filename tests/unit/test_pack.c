@@ -278,7 +278,7 @@ static void a_texture_coordinate_that_is_no_number_drops_them_all(void **state)
             struct pack_mesh_report report = {0};
             struct model_mesh *mesh = model_add_mesh(&m, "m");
             model_add_material(&m, "a");
-            mesh->has_uvs = true;
+            mesh->has_uvs = mesh->keeps_uvs = true;
             for (int i = 0; i < 3; i++)
                 model_add_vertex(mesh, (double[]){i == 1, i == 2, 0}, (double[]){0, 0, 1}, 0.5, 0.5);
             model_add_triangle(mesh, 0, 1, 2, 0);

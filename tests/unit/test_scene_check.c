@@ -156,6 +156,10 @@ static void absurd_headers_are_refused(void **state)
     REFUSE(blob->magic, 0x474C5431, SCENE_E_MAGIC);
     REFUSE(blob->version, SCENE_VERSION + 1, SCENE_E_VERSION);
     REFUSE(blob->reserved, 1, SCENE_E_RANGE);
+    REFUSE(blob->reserved2, 1, SCENE_E_RANGE);
+    REFUSE(blob->effects, blob->effects | (USES_EFFECTS + 1), SCENE_E_RANGE);
+    for (uint32_t bit = 1; bit < USES_EFFECTS; bit <<= 1) /* more than is needed may be there, but not less */
+        REFUSE(blob->effects, blob->effects ^ bit, blob->effects & bit ? SCENE_E_RANGE : SCENE_OK);
     REFUSE(blob->length, 0, SCENE_E_SHORT);
     REFUSE(blob->length, 15, SCENE_E_SHORT);
     REFUSE(blob->length, UINT32_MAX, SCENE_E_SHORT);
@@ -227,7 +231,7 @@ static void absurd_meshes_are_refused(void **state)
     struct scene_triangle *triangle = (struct scene_triangle *)((uint8_t *)blob + mesh->triangles);
     REFUSE(triangle->corner[2], mesh->vertex_count, SCENE_E_INDEX);
     REFUSE(triangle->material, blob->material_count, SCENE_E_INDEX);
-    REFUSE(triangle->reserved, 1, SCENE_E_RANGE);
+    REFUSE(triangle->flags, 8, SCENE_E_RANGE);
     REFUSE(triangle->bend[0], (uint16_t)(triangle->bend[0] + 40), SCENE_E_RANGE); /* not its normals' */
     free(blob);
 }

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: MIT */
+#include "scene/texel.h"
+
+uint32_t texel_at(const struct scene_header *scene, const struct scene_texture *texture, uint32_t index)
+{
+    const uint16_t *wide = scene_at(scene, texture->texels);
+    const uint8_t *narrow = scene_at(scene, texture->texels);
+    const uint32_t *palette = scene_at(scene, texture->palette);
+    switch (texture->format) {
+    case TEXTURE_RGB565:
+        return texel_expand(wide[index]);
+    case TEXTURE_PALETTE8:
+        return palette[narrow[index]];
+    default:
+        return (narrow[2 * index] ^ 0x80u) << 8 | (narrow[2 * index + 1] ^ 0x80u);
+    }
+}
+
+/* The largest difference of a channel. */
+static uint32_t difference(uint32_t a, uint32_t b)
+{
+    uint32_t most = 0;
+    for (int shift = 0; shift < 24; shift += 8) {
+        int32_t d = (int32_t)(a >> shift & 0xff) - (int32_t)(b >> shift & 0xff);
+        uint32_t size = (uint32_t)(d < 0 ? -d : d);
+        most = size > most ? size : most;
+    }
+    return most;
+}
+
+uint16_t texel_contrast(const struct scene_header *scene, const struct scene_texture *texture)
+{
+    const uint32_t width = 1u << texture->log2_width, height = 1u << texture->log2_height;
+    uint32_t most = 0;
+    for (uint32_t v = 0; v < height; v++)
+        for (uint32_t u = 0; u < width; u++) {
+            const uint32_t here = texel_at(scene, texture, v * width + u);
+            const uint32_t right = u + 1 < width ? u + 1 : texture->flags & TEXTURE_CLAMP_U ? u : 0;
+            const uint32_t above = v + 1 < height ? v + 1 : texture->flags & TEXTURE_CLAMP_V ? v : 0;
+            uint32_t d = difference(here, texel_at(scene, texture, v * width + right));
+            most = d > most ? d : most;
+            d = difference(here, texel_at(scene, texture, above * width + u));
+            most = d > most ? d : most;
+        }
+    return (uint16_t)(most << 8);
+}
