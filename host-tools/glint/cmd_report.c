@@ -10,6 +10,7 @@
 #include "report/page.h"
 #include "report/powers.h"
 #include "report/streams.h"
+#include "report/sweep.h"
 #include "scene/model.h"
 
 #include <errno.h>
@@ -31,6 +32,9 @@ static const char report_help[] =
     "  -o, --output FOLDER  made if it is not there\n"
     "      --costs FILE     cpu,scene,method,width,height,format,instructions: of a frame on m3 and on m0plus\n"
     "      --flash FILE     cpu,method,bytes: of a program that draws by that method\n"
+    "      --budgets FILE   cpu,scene,budget_q8,instructions: of a frame by auto; with it the page shows what a "
+    "budget\n"
+    "                       buys, and FOLDER/sweep.csv is written\n"
     "      --powers FILE    cpu,scene,power,exponent,instructions: of a frame of the first scene by x; with it the\n"
     "                       page compares the forms of the highlight's power at exponents 5, 20, 50 and 200\n"
     "      --stream SCENE   measures the bytes of its pictures as a stream, for a section of all scenes so given\n"
@@ -41,7 +45,7 @@ static const char report_help[] =
     "      --methods A,B    some of `glint methods`; default all\n"
     "      --help\n";
 
-enum report_file { REPORT_PAGE, REPORT_TABLE, REPORT_STREAM, REPORT_FILES };
+enum report_file { REPORT_PAGE, REPORT_TABLE, REPORT_SWEEP, REPORT_STREAM, REPORT_FILES };
 
 struct report {
     const char *folder, *boards_path, *choices_path;
@@ -84,17 +88,13 @@ static bool report_choose(struct report *report, const char *names)
 /* Exit code, or -1 to go on. */
 static int report_parse(struct report *report, int argc, char **argv)
 {
-    static const struct option long_options[] = {{"output", required_argument, NULL, 'o'},
-                                                 {"costs", required_argument, NULL, 'c'},
-                                                 {"flash", required_argument, NULL, 'f'},
-                                                 {"methods", required_argument, NULL, 'm'},
-                                                 {"powers", required_argument, NULL, 'p'},
-                                                 {"boards", required_argument, NULL, 'b'},
-                                                 {"stream", required_argument, NULL, 's'},
-                                                 {"packing", required_argument, NULL, 'k'},
-                                                 {"choices", required_argument, NULL, 'x'},
-                                                 {"help", no_argument, NULL, 'h'},
-                                                 {0}};
+    static const struct option long_options[] = {
+        {"output", required_argument, NULL, 'o'},  {"costs", required_argument, NULL, 'c'},
+        {"flash", required_argument, NULL, 'f'},   {"methods", required_argument, NULL, 'm'},
+        {"powers", required_argument, NULL, 'p'},  {"boards", required_argument, NULL, 'b'},
+        {"stream", required_argument, NULL, 's'},  {"packing", required_argument, NULL, 'k'},
+        {"budgets", required_argument, NULL, 'g'}, {"choices", required_argument, NULL, 'x'},
+        {"help", no_argument, NULL, 'h'},          {0}};
     int option;
     for (unsigned m = 0; m < glint_choice_count; m++)
         report->methods[report->method_count++] = glint_choices[m].name;
@@ -124,6 +124,9 @@ static int report_parse(struct report *report, int argc, char **argv)
         case 'x':
             report->choices_path = optarg;
             break;
+        case 'g':
+            report->costs.budgets_path = optarg;
+            break;
         case 'm':
             if (!report_choose(report, optarg))
                 return cli_refuse(report_name, report_help, "methods", optarg);
@@ -142,9 +145,10 @@ static int report_parse(struct report *report, int argc, char **argv)
     return -1;
 }
 
-static unsigned report_files(const struct report *report)
+static bool report_wants(const struct report *report, enum report_file file)
 {
-    return report->stream_count ? REPORT_FILES : REPORT_STREAM;
+    return file < REPORT_SWEEP ||
+           (file == REPORT_SWEEP ? report->costs.budgets_path != NULL : report->stream_count > 0);
 }
 
 static int report_problem(const char *path)
@@ -156,12 +160,14 @@ static int report_problem(const char *path)
 /* Opens its files; `made`: the folder was not there. */
 static int report_open(struct report *report, bool *made)
 {
-    static const char *const names[REPORT_FILES] = {"index.html", "report.csv", "stream.csv"};
+    static const char *const names[REPORT_FILES] = {"index.html", "report.csv", "sweep.csv", "stream.csv"};
     cli_catch_signals();
     *made = mkdir(report->folder, 0777) == 0;
     if (!*made && errno != EEXIST)
         return report_problem(report->folder);
-    for (unsigned i = 0; i < report_files(report); i++) {
+    for (unsigned i = 0; i < REPORT_FILES; i++) {
+        if (!report_wants(report, i))
+            continue;
         size_t size = strlen(report->folder) + strlen(names[i]) + 2;
         report->path[i] = model_alloc(size);
         snprintf(report->path[i], size, "%s/%s", report->folder, names[i]);
@@ -182,6 +188,8 @@ static int report_scenes(struct report *report, const char *const paths[], unsig
                                            .boards = report->boards_path != NULL};
     page_begin(page, paths, count, &sections);
     page_csv_head(table);
+    if (report->costs.budgets_path)
+        sweep_csv_head(report->sink[REPORT_SWEEP].stream);
     progress_begin(&progress, false);
     for (unsigned i = 0; !code && i < count; i++) {
         struct survey survey;
@@ -192,6 +200,8 @@ static int report_scenes(struct report *report, const char *const paths[], unsig
             code = page_scene(page, &survey);
         if (!code)
             page_csv(table, &survey);
+        if (!code && report->costs.budgets_path)
+            sweep_csv(report->sink[REPORT_SWEEP].stream, &survey);
         survey_free(&survey);
         if (cli_interrupted())
             code = CLI_IO;
@@ -221,8 +231,8 @@ static int report_run(struct report *report, const char *const paths[], unsigned
         code = report_open(report, &made);
     if (!code)
         code = report_scenes(report, paths, count);
-    for (unsigned i = report_files(report); i-- > 0;) /* the page last: it is never there without the tables */
-        if (sink_close(&report->sink[i], !code) != 0 && !code)
+    for (unsigned i = REPORT_FILES; i-- > 0;) /* the page last: it is never there without the tables */
+        if (report_wants(report, i) && sink_close(&report->sink[i], !code) != 0 && !code)
             code = report_problem(report->path[i]);
     if (code && made)
         rmdir(report->folder);

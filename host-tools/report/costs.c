@@ -18,6 +18,7 @@ const char *const costs_stream_cpu_titles[COSTS_STREAM_CPUS] = {"M0+", "M3", "M4
 static const char costs_frames_head[] = "cpu,scene,method,width,height,format,instructions";
 static const char costs_flash_head[] = "cpu,method,bytes";
 static const char costs_powers_head[] = "cpu,scene,power,exponent,instructions";
+static const char costs_budgets_head[] = "cpu,scene,budget_q8,instructions";
 static const char costs_streams_head[] = "cpu,scene,format,codec,pixels,bytes,instructions";
 
 static const char *costs_method(char *out, size_t size, const char *text)
@@ -75,6 +76,29 @@ static const char *costs_take_flash(void *context, char *field[CSV_FIELDS], unsi
         return "a second line for this cpu and method";
     costs->flash = model_grow(costs->flash, costs->flash_count, &costs->flash_room, sizeof flash);
     costs->flash[costs->flash_count++] = flash;
+    return NULL;
+}
+
+static const char *costs_take_budget(void *context, char *field[CSV_FIELDS], unsigned line)
+{
+    struct costs *costs = context;
+    struct costs_budget budget;
+    uint32_t q8;
+    const char *problem = costs_cpu(&budget.cpu, field[0]);
+    (void)line;
+    if (!problem)
+        problem = csv_name(budget.scene, sizeof budget.scene, field[1], " -_");
+    if (problem)
+        return problem;
+    if (!cli_number(field[2], 1, UINT16_MAX, &q8))
+        return "the budget is 1..65535, Q8 of 1/255";
+    if (!cli_number(field[3], 1, UINT32_MAX, &budget.instructions))
+        return "the instructions are no number above 0";
+    budget.budget_q8 = q8;
+    if (costs_find_budget(costs, budget.cpu, budget.scene, q8))
+        return "a second line for this cpu, scene and budget";
+    costs->budgets = model_grow(costs->budgets, costs->budget_count, &costs->budget_room, sizeof budget);
+    costs->budgets[costs->budget_count++] = budget;
     return NULL;
 }
 
@@ -140,6 +164,7 @@ int costs_read(struct costs *costs)
         csv_take *take;
     } files[] = {{costs->frames_path, costs_frames_head, costs_take_frame},
                  {costs->flash_path, costs_flash_head, costs_take_flash},
+                 {costs->budgets_path, costs_budgets_head, costs_take_budget},
                  {costs->powers_path, costs_powers_head, costs_take_power},
                  {costs->streams_path, costs_streams_head, costs_take_stream}};
     int code = CLI_DONE;
@@ -155,6 +180,7 @@ void costs_free(struct costs *costs)
     free(costs->flash);
     free(costs->powers);
     free(costs->streams);
+    free(costs->budgets);
     *costs = (struct costs){0};
 }
 
@@ -174,6 +200,17 @@ const struct costs_flash *costs_find_flash(const struct costs *costs, enum costs
     for (size_t i = 0; i < costs->flash_count; i++)
         if (costs->flash[i].cpu == cpu && strcmp(costs->flash[i].method, method) == 0)
             return &costs->flash[i];
+    return NULL;
+}
+
+const struct costs_budget *costs_find_budget(const struct costs *costs, enum costs_cpu cpu, const char *scene,
+                                             unsigned budget_q8)
+{
+    for (size_t i = 0; i < costs->budget_count; i++) {
+        const struct costs_budget *budget = &costs->budgets[i];
+        if (budget->cpu == cpu && budget->budget_q8 == budget_q8 && strcmp(budget->scene, scene) == 0)
+            return budget;
+    }
     return NULL;
 }
 

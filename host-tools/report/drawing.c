@@ -27,24 +27,27 @@ static int drawing_flush(struct hal_display *display, const void *pixels, uint16
 
 static const struct hal_display_ops drawing_ops = {.flush = drawing_flush};
 
-int drawing_make(uint8_t *grey, const struct scene_header *scene, const char *path, const char *method,
-                 const struct glint_power *power)
+int drawing_make(uint8_t *grey, const struct scene_header *scene, const char *path, const struct drawing *how,
+                 struct glint_stats *stats)
 {
     const struct scene_camera *camera = &scene->camera;
     struct drawing_keeper keeper = {{&drawing_ops}, grey, camera->reference_width};
-    struct renderer renderer = {.choice = renderer_find(method),
+    struct renderer renderer = {.choice = renderer_find(how->method),
                                 .config = {.width = camera->reference_width,
                                            .height = camera->reference_height,
                                            .band_rows = camera->reference_height,
                                            .format = GLINT_GREY8,
-                                           .power = power}};
+                                           .power = how->power,
+                                           .budget = how->budget_q8}};
     double milliseconds = 0;
     int code = renderer_open(&renderer, scene);
     if (code)
         return code;
     renderer_draw(&renderer, 0, &keeper.display, NULL, &milliseconds);
+    if (stats)
+        *stats = renderer.frame.stats;
     if (renderer.dropped) {
-        fprintf(stderr, "%s: a frame by %s lacks %u triangles\n", path, method, (unsigned)renderer.dropped);
+        fprintf(stderr, "%s: a frame by %s lacks %u triangles\n", path, how->method, (unsigned)renderer.dropped);
         code = CLI_BAD_DATA;
     }
     renderer_close(&renderer);

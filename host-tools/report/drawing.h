@@ -7,11 +7,17 @@
 #include "glint.h"
 #include "reference/reference.h"
 
-/* Draws the scene of `path` by a method that exists into grey[height][width], with a form of the highlight's power
- * (null: the table). Returns the exit code of the command line; whenever it is not 0, one line has been printed on
- * stderr. */
-int drawing_make(uint8_t *grey, const struct scene_header *scene, const char *path, const char *method,
-                 const struct glint_power *power);
+/* How: a method that exists. */
+struct drawing {
+    const char *method;
+    const struct glint_power *power; /* form of the highlight's power; null: the table */
+    uint16_t budget_q8;              /* of auto; 0: the default */
+};
+
+/* Draws the scene of `path` into grey[height][width] and, unless null, says what the frame did. Returns the exit code
+ * of the command line; whenever it is not 0, one line has been printed on stderr. */
+int drawing_make(uint8_t *grey, const struct scene_header *scene, const char *path, const struct drawing *how,
+                 struct glint_stats *stats);
 
 /* Its differences from the truth before that is rounded, where covered[] is 1. */
 void drawing_compare(const uint8_t *grey, const struct reference_image *truth, const uint8_t *covered,

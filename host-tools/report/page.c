@@ -4,6 +4,7 @@
 #include "glint/cli.h"
 #include "report/picture.h"
 #include "report/plot.h"
+#include "report/sweep.h"
 
 static const char page_style[] =
     ":root{color-scheme:light dark;--ink:#1b1b1b;--paper:#fff;--faint:#6b6b6b;--line:#d5d5d5;--best:#b84a16}\n"
@@ -39,19 +40,27 @@ void page_begin(FILE *out, const char *const paths[], unsigned count, const stru
             "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n"
             "<title>Glint: what accuracy costs</title>\n<style>\n%s</style>\n</head>\n<body>\n",
             page_style);
-    fprintf(out,
-            "<h1>Glint: what accuracy costs</h1>\n"
-            "<p>Every scene drawn by every shading method in integers, beside the truth: per-pixel Phong in double "
-            "precision, the normal interpolated correctly in perspective. Pictures are 8-bit grey.</p>\n"
-            "<p><b>PSNR</b> in dB, <b>RMS</b> and <b>largest difference</b> in 1/255, over the pixels that the scene "
-            "covers, are taken from the truth before it is rounded: 8-bit output alone allows 58.9 dB. "
-            "<b>Instructions</b> of one frame, clear and depth included, drawn in one piece, counted by QEMU on its "
-            "mps2 boards as a Cortex-M3 and a Cortex-M0+ (gcc&nbsp;&#8209;O2). <b>Flash</b> is that of a program which "
-            "draws by "
-            "this method alone, mem* and libgcc included, its scene not.</p>\n"
-            "<p>A figure is <span class=\"best\">marked</span> where a method belongs to the Pareto set of that CPU: "
-            "none that costs no more is closer to the truth; in the plots the set is filled and joined. "
-            "<span class=\"beaten\">Faint</span> is what another method beats on both.</p>\n<nav>");
+    fprintf(
+        out,
+        "<h1>Glint: what accuracy costs</h1>\n"
+        "<p>Every scene drawn by every shading method in integers, beside the truth: per-pixel Phong in double "
+        "precision, the normal interpolated correctly in perspective. Pictures are 8-bit grey.</p>\n"
+        "<p><b>PSNR</b> in dB, <b>RMS</b> and <b>largest difference</b> in 1/255, over the pixels that the scene "
+        "covers, are taken from the truth before it is rounded: 8-bit output alone allows 58.9 dB. "
+        "<b>Instructions</b> of one frame, clear and depth included, drawn in one piece, counted by QEMU on its "
+        "mps2 boards as a Cortex-M3 and a Cortex-M0+ (gcc&nbsp;&#8209;O2). <b>Flash</b> is that of a program which "
+        "draws by "
+        "this method alone, mem* and libgcc included, its scene not.</p>\n"
+        "<p>A figure is <span class=\"best\">marked</span> where a method belongs to the Pareto set of that CPU: "
+        "none that costs no more is closer to the truth; in the plots the set is filled and joined. "
+        "<span class=\"beaten\">Faint</span> is what another method beats on both.</p>\n"
+        "<p><b>auto</b> takes, a triangle, the cheapest way that its bounds allow within a budget: how many 255ths a "
+        "pixel may be off, roundings of at most 1.5 apart; by itself 2. Its budgets are the blue line in the plots, "
+        "each by its number. In their "
+        "tables <b>bound</b> is the largest error that a triangle of the frame was promised, and a way has its "
+        "triangles and its share of the pixels; lights and highlights are <b>hidden</b> that can reach no pixel of a "
+        "triangle, <b>dropped</b> that are within the budget, dot products <b>straightened</b> that are drawn linear, "
+        "triangles <b>undivided</b> that a perspective view draws as a flat one.</p>\n<nav>");
     for (unsigned i = 0; i < count; i++)
         if (survey_name(paths[i], name))
             fprintf(out, "<a href=\"#%s\">%s</a>\n", name, name);
@@ -181,14 +190,17 @@ int page_scene(FILE *out, const struct survey *survey)
                 "compared are the pixels that both cover.",
                 survey->scene, survey->ideal_triangles);
     fprintf(out, "</p>\n<div class=\"plots\">");
-    for (enum costs_cpu cpu = 0; cpu < COSTS_CPUS; cpu++) {
+    for (unsigned i = 0; i < COSTS_CPUS + (survey->budget_count > 0); i++) {
+        const bool largest = i == COSTS_CPUS; /* what a budget is about */
         fprintf(out, "<figure>");
-        int code = plot_write(out, survey, cpu);
+        int code = plot_write(out, survey, largest ? COSTS_M3 : i, largest ? PLOT_LARGEST : PLOT_PSNR);
         if (code)
             return code;
         fprintf(out, "</figure>\n");
     }
-    fprintf(out, "</div>\n<div class=\"cards\">\n");
+    fprintf(out, "</div>\n");
+    sweep_write(out, survey);
+    fprintf(out, "<div class=\"cards\">\n");
     bool done = page_truth(out, survey);
     for (unsigned i = 0; i < survey->count && done; i++)
         done = page_card(out, survey, &survey->rows[i]);

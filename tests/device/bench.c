@@ -3,6 +3,7 @@
  * Draws the common benchmark (320x240, RGB565, 16-bit depth, clear included) and counts instructions.
  *   bench                                every scene, principal method and band count: one CSV line each
  *   bench grey8                          every scene by every method, one frame in 8-bit grey at the camera's size
+ *   bench budget                         every scene by auto within each of some budgets, likewise
  *   bench power                          the first scene by x, likewise, with each form and some exponents of the
  *                                        highlight's power
  *   bench SCENE METHOD BANDS TABLES N    one of them, N frames, nothing printed: for profilers, which look at the calls
@@ -26,6 +27,7 @@ static const struct {
 } powers[] = {
     {"table", 0}, {"exact", &glint_power_exact}, {"4", &glint_power_4}, {"8", &glint_power_8}, {"16", &glint_power_16}};
 static const uint16_t exponents[] = {5, 20, 50, 200};
+static const uint16_t budgets[] = {1 << 7, 1 << 8, 2 << 8, 4 << 8, 8 << 8, 16 << 8, 32 << 8};
 
 static uint32_t bench_memory[MEMORY / 4], bench_band[BAND / 4], bench_blob[BLOB / 4];
 
@@ -82,12 +84,14 @@ static int bench_complain(const char *scene, const char *method, int error)
     return 1;
 }
 
-/* The cost of one frame that holds every triangle. */
+/* The cost of one frame that holds every triangle; `budget` is auto's, Q8, 0: the default. */
 static int bench_cost(const void *blob, const struct glint_choice *method, const struct glint_power *power,
-                      struct glint_config *config, uint32_t *instructions)
+                      uint16_t budget, struct glint_config *config, uint32_t *instructions)
 {
     struct glint_frame frame;
     int error = bench_init(&frame, config, blob, method, power, GLINT_GREY8, 1, 0);
+    if (error == 0)
+        glint_set_budget(&frame, budget);
     program_count_start();
     if (error == 0)
         error = bench_frame(&frame, blob, 0);
@@ -99,7 +103,7 @@ static int bench_grey(const struct program_scene *scene, const struct glint_choi
 {
     struct glint_config config;
     uint32_t instructions;
-    int error = bench_cost(scene->blob, method, 0, &config, &instructions);
+    int error = bench_cost(scene->blob, method, 0, 0, &config, &instructions);
     if (error != 0)
         return bench_complain(scene->name, method->name, error);
     struct line line = {.length = 0};
@@ -113,6 +117,21 @@ static int bench_grey(const struct program_scene *scene, const struct glint_choi
     line_text(&line, ",grey8,");
     line_decimal(&line, instructions);
     line_end(&line);
+    return 0;
+}
+
+static int bench_budget(const struct program_scene *scene, uint16_t budget)
+{
+    static const struct glint_choice method = {"auto", &glint_auto};
+    struct glint_config config;
+    uint32_t instructions;
+    int error = bench_cost(scene->blob, &method, 0, budget, &config, &instructions);
+    if (error != 0)
+        return bench_complain(scene->name, method.name, error);
+    struct line line = {.length = 0};
+    line_text(&line, scene->name);
+    const uint32_t values[] = {budget, instructions};
+    bench_fields(&line, values, COUNT(values));
     return 0;
 }
 
@@ -139,7 +158,7 @@ static int bench_power(const struct program_scene *scene, unsigned exponent, uns
     uint32_t instructions = 0;
     int error = *scene->length > sizeof bench_blob ? GLINT_E_MEMORY : 0;
     if (error == 0)
-        error = bench_cost(bench_sharpen(scene, exponent), &x, powers[form].power, &config, &instructions);
+        error = bench_cost(bench_sharpen(scene, exponent), &x, powers[form].power, 0, &config, &instructions);
     if (error != 0)
         return bench_complain(scene->name, powers[form].name, error);
     struct line line = {.length = 0};
@@ -224,6 +243,12 @@ int program_main(int argc, char **argv)
         for (unsigned s = 0; s < program_scene_count; s++)
             for (unsigned m = 0; m < glint_choice_count; m++)
                 bad |= bench_grey(&program_scenes[s], &glint_choices[m]);
+        return bad;
+    }
+    if (argc == 2 && text_equal(argv[1], "budget")) {
+        for (unsigned s = 0; s < program_scene_count; s++)
+            for (unsigned b = 0; b < COUNT(budgets); b++)
+                bad |= bench_budget(&program_scenes[s], budgets[b]);
         return bad;
     }
     if (argc == 2 && text_equal(argv[1], "power")) {
