@@ -7,6 +7,7 @@
 #include "report/angle.h"
 #include "report/boards.h"
 #include "report/choices.h"
+#include "report/effects.h"
 #include "report/page.h"
 #include "report/powers.h"
 #include "report/streams.h"
@@ -37,6 +38,7 @@ static const char report_help[] =
     "                       buys, and FOLDER/sweep.csv is written\n"
     "      --powers FILE    cpu,scene,power,exponent,instructions: of a frame of the first scene by x; with it the\n"
     "                       page compares the forms of the highlight's power at exponents 5, 20, 50 and 200\n"
+    "      --effect SCENE   shows it by auto beside the truth, for a section of all scenes so given\n"
     "      --stream SCENE   measures the bytes of its pictures as a stream, for a section of all scenes so given\n"
     "      --packing FILE   cpu,scene,format,codec,pixels,bytes,instructions: of `make bench-stream`, for that "
     "section\n"
@@ -49,8 +51,8 @@ enum report_file { REPORT_PAGE, REPORT_TABLE, REPORT_SWEEP, REPORT_STREAM, REPOR
 
 struct report {
     const char *folder, *boards_path, *choices_path;
-    const char **methods, **streams; /* streams: scenes' paths */
-    unsigned method_count, stream_count;
+    const char **methods, **streams, **effects; /* the last two: scenes' paths */
+    unsigned method_count, stream_count, effect_count;
     struct costs costs; /* its paths are the options' */
     char *path[REPORT_FILES];
     struct sink sink[REPORT_FILES];
@@ -88,13 +90,19 @@ static bool report_choose(struct report *report, const char *names)
 /* Exit code, or -1 to go on. */
 static int report_parse(struct report *report, int argc, char **argv)
 {
-    static const struct option long_options[] = {
-        {"output", required_argument, NULL, 'o'},  {"costs", required_argument, NULL, 'c'},
-        {"flash", required_argument, NULL, 'f'},   {"methods", required_argument, NULL, 'm'},
-        {"powers", required_argument, NULL, 'p'},  {"boards", required_argument, NULL, 'b'},
-        {"stream", required_argument, NULL, 's'},  {"packing", required_argument, NULL, 'k'},
-        {"budgets", required_argument, NULL, 'g'}, {"choices", required_argument, NULL, 'x'},
-        {"help", no_argument, NULL, 'h'},          {0}};
+    static const struct option long_options[] = {{"output", required_argument, NULL, 'o'},
+                                                 {"costs", required_argument, NULL, 'c'},
+                                                 {"flash", required_argument, NULL, 'f'},
+                                                 {"methods", required_argument, NULL, 'm'},
+                                                 {"powers", required_argument, NULL, 'p'},
+                                                 {"boards", required_argument, NULL, 'b'},
+                                                 {"stream", required_argument, NULL, 's'},
+                                                 {"packing", required_argument, NULL, 'k'},
+                                                 {"effect", required_argument, NULL, 'e'},
+                                                 {"budgets", required_argument, NULL, 'g'},
+                                                 {"choices", required_argument, NULL, 'x'},
+                                                 {"help", no_argument, NULL, 'h'},
+                                                 {0}};
     int option;
     for (unsigned m = 0; m < glint_choice_count; m++)
         report->methods[report->method_count++] = glint_choices[m].name;
@@ -117,6 +125,9 @@ static int report_parse(struct report *report, int argc, char **argv)
             break;
         case 's':
             report->streams[report->stream_count++] = optarg;
+            break;
+        case 'e':
+            report->effects[report->effect_count++] = optarg;
             break;
         case 'k':
             report->costs.streams_path = optarg;
@@ -182,7 +193,8 @@ static int report_scenes(struct report *report, const char *const paths[], unsig
     FILE *page = report->sink[REPORT_PAGE].stream, *table = report->sink[REPORT_TABLE].stream;
     struct progress progress;
     int code = CLI_DONE;
-    const struct page_sections sections = {.power = report->costs.powers_path != NULL,
+    const struct page_sections sections = {.effects = report->effect_count > 0,
+                                           .power = report->costs.powers_path != NULL,
                                            .choices = report->choices_path != NULL,
                                            .streams = report->stream_count > 0,
                                            .boards = report->boards_path != NULL};
@@ -208,6 +220,8 @@ static int report_scenes(struct report *report, const char *const paths[], unsig
         progress_step(&progress, i + 1, count);
     }
     progress_end(&progress);
+    if (!code && report->effect_count)
+        code = effects_write(page, report->effects, report->effect_count);
     if (!code)
         code = angle_write(page);
     if (!code && report->costs.powers_path)
@@ -248,12 +262,14 @@ static int report_run(struct report *report, const char *const paths[], unsigned
 int cmd_report(int argc, char **argv)
 {
     struct report report = {.methods = model_alloc(glint_choice_count * sizeof *report.methods),
-                            .streams = model_alloc((size_t)argc * sizeof *report.streams)};
+                            .streams = model_alloc((size_t)argc * sizeof *report.streams),
+                            .effects = model_alloc((size_t)argc * sizeof *report.effects)};
     argv[0] = (char *)(uintptr_t)report_name;
     int code = report_parse(&report, argc, argv);
     if (code < 0)
         code = report_run(&report, (const char *const *)argv + optind, (unsigned)(argc - optind));
     free(report.methods);
     free(report.streams);
+    free(report.effects);
     return code;
 }

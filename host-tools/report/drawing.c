@@ -12,31 +12,30 @@
 /* A display that keeps the picture. */
 struct drawing_keeper {
     struct hal_display display;
-    uint8_t *grey;
-    unsigned width;
+    uint8_t *pixels;
+    size_t row; /* bytes */
 };
 
 static int drawing_flush(struct hal_display *display, const void *pixels, uint16_t y, uint16_t rows, uint32_t stride)
 {
     const struct drawing_keeper *keeper = (const struct drawing_keeper *)display;
     for (unsigned row = 0; row < rows; row++)
-        memcpy(keeper->grey + (size_t)(y + row) * keeper->width, (const uint8_t *)pixels + (size_t)row * stride,
-               keeper->width);
+        memcpy(keeper->pixels + (y + row) * keeper->row, (const uint8_t *)pixels + (size_t)row * stride, keeper->row);
     return 0;
 }
 
 static const struct hal_display_ops drawing_ops = {.flush = drawing_flush};
 
-int drawing_make(uint8_t *grey, const struct scene_header *scene, const char *path, const struct drawing *how,
+int drawing_make(uint8_t *pixels, const struct scene_header *scene, const char *path, const struct drawing *how,
                  struct glint_stats *stats)
 {
     const struct scene_camera *camera = &scene->camera;
-    struct drawing_keeper keeper = {{&drawing_ops}, grey, camera->reference_width};
+    struct drawing_keeper keeper = {{&drawing_ops}, pixels, (size_t)camera->reference_width * (how->colour ? 3 : 1)};
     struct renderer renderer = {.choice = renderer_find(how->method),
                                 .config = {.width = camera->reference_width,
                                            .height = camera->reference_height,
                                            .band_rows = camera->reference_height,
-                                           .format = GLINT_GREY8,
+                                           .format = how->colour ? GLINT_RGB888 : GLINT_GREY8,
                                            .power = how->power,
                                            .budget = how->budget_q8}};
     double milliseconds = 0;
@@ -54,15 +53,15 @@ int drawing_make(uint8_t *grey, const struct scene_header *scene, const char *pa
     return code;
 }
 
-void drawing_compare(const uint8_t *grey, const struct reference_image *truth, const uint8_t *covered,
+void drawing_compare(const uint8_t *pixels, const struct reference_image *truth, const uint8_t *covered,
                      struct compare_result *error)
 {
-    size_t pixels = (size_t)truth->width * truth->height;
-    double *a = model_alloc(2 * pixels * sizeof *a), *b = a + pixels;
-    for (size_t i = 0; i < pixels; i++) {
-        a[i] = grey[i];
+    size_t count = (size_t)truth->width * truth->height, values = count * truth->channels;
+    double *a = model_alloc(2 * values * sizeof *a), *b = a + values;
+    for (size_t i = 0; i < values; i++) {
+        a[i] = pixels[i];
         b[i] = 255 * truth->value[i];
     }
-    compare_values(a, b, covered, pixels, 1, error);
+    compare_values(a, b, covered, count, truth->channels, error);
     free(a);
 }

@@ -24,7 +24,8 @@ static const char page_style[] =
     "svg [fill=black]{fill:currentColor}svg [stroke=black]{stroke:currentColor}\n"
     ".card{border:1px solid var(--line);border-radius:6px;padding:.7rem}.card h3{margin:0 0 .4em;font-size:1.05rem}\n"
     ".pair{display:grid;grid-template-columns:repeat(2,minmax(0,1fr));align-items:start;gap:.4rem}"
-    ".pair img{width:100%;height:auto;display:block}\n"
+    ".pair img,.row img{width:100%;height:auto;display:block}\n"
+    ".row{display:grid;grid-template-columns:repeat(auto-fit,minmax(11rem,1fr));gap:.4rem}.rows .card{margin:1rem 0}\n"
     "dl{display:grid;grid-template-columns:auto 1fr;gap:0 .8em;margin:.5em 0 0;font-variant-numeric:tabular-nums}\n"
     "dt{color:var(--faint)}dd{margin:0}\n"
     ".first td{border-top:2px solid var(--line)}\n"
@@ -67,7 +68,8 @@ void page_begin(FILE *out, const char *const paths[], unsigned count, const stru
     const struct {
         const char *id, *title;
         bool there;
-    } links[] = {{"angle", "X-shading\u2019s error", true},
+    } links[] = {{"effects", "Effects", sections->effects},
+                 {"angle", "X-shading\u2019s error", true},
                  {"power", "The highlight\u2019s power", sections->power},
                  {"choices", "Fixed-point choices", sections->choices},
                  {"stream", "As a stream", sections->streams},
@@ -128,12 +130,12 @@ static void page_figures(FILE *out, const struct survey_row *row)
 }
 
 /* What is worth showing of a picture as large as the scene's. */
-static bool page_picture(FILE *out, const struct survey *survey, const uint8_t *pixels, bool difference,
+static bool page_picture(FILE *out, const struct survey *survey, const uint8_t *pixels, enum picture_kind kind,
                          const char *caption)
 {
     const struct survey_box *box = &survey->box;
     const struct picture picture = {pixels + (size_t)box->top * survey->width + box->left, survey->width, box->width,
-                                    box->height, difference};
+                                    box->height, kind};
     return picture_write(out, &picture, caption);
 }
 
@@ -144,7 +146,7 @@ static bool page_truth(FILE *out, const struct survey *survey)
     char caption[160];
     snprintf(caption, sizeof caption, "%s, the truth", survey->scene);
     fprintf(out, "<figure class=\"card\"><h3>the truth</h3><div class=\"pair\">");
-    bool done = page_picture(out, survey, survey->truth, false, caption);
+    bool done = page_picture(out, survey, survey->truth, PICTURE_GREY, caption);
     fprintf(out, "<table class=\"key\">");
     for (int level = PICTURE_LEVELS; level >= 0; level--) {
         fprintf(out, "<tr>");
@@ -170,9 +172,9 @@ static bool page_card(FILE *out, const struct survey *survey, const struct surve
     fprintf(out, "<figure class=\"card\" id=\"%s-%s\"><h3%s>%s</h3><div class=\"pair\">", survey->scene, row->method,
             page_class(row), row->method);
     snprintf(caption, sizeof caption, "%s by %s", survey->scene, row->method);
-    bool done = page_picture(out, survey, row->grey, false, caption);
+    bool done = page_picture(out, survey, row->grey, PICTURE_GREY, caption);
     snprintf(caption, sizeof caption, "%s by %s less the truth", survey->scene, row->method);
-    done = done && page_picture(out, survey, row->difference, true, caption);
+    done = done && page_picture(out, survey, row->difference, PICTURE_DIFFERENCE, caption);
     fprintf(out, "</div><figcaption>");
     page_figures(out, row);
     fprintf(out, "</figcaption></figure>\n");
@@ -190,10 +192,9 @@ int page_scene(FILE *out, const struct survey *survey)
                 "compared are the pixels that both cover.",
                 survey->scene, survey->ideal_triangles);
     fprintf(out, "</p>\n<div class=\"plots\">");
-    for (unsigned i = 0; i < COSTS_CPUS + (survey->budget_count > 0); i++) {
-        const bool largest = i == COSTS_CPUS; /* what a budget is about */
+    for (unsigned i = 0; i < (survey->budget_count ? 2 : 1) * COSTS_CPUS; i++) { /* a budget is about the largest */
         fprintf(out, "<figure>");
-        int code = plot_write(out, survey, largest ? COSTS_M3 : i, largest ? PLOT_LARGEST : PLOT_PSNR);
+        int code = plot_write(out, survey, i % COSTS_CPUS, i < COSTS_CPUS ? PLOT_PSNR : PLOT_LARGEST);
         if (code)
             return code;
         fprintf(out, "</figure>\n");

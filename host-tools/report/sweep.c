@@ -61,9 +61,10 @@ static const struct survey_row *sweep_method(const struct survey *survey, const 
     return NULL;
 }
 
-static double sweep_share(const struct survey_budget *budget, uint32_t of)
+/* By how many percent it costs less than a method, negative: more. */
+static double sweep_saved(const struct survey_budget *budget, const struct survey_row *than)
 {
-    return 100. * budget->instructions[COSTS_M3] / of - 100;
+    return 100 - 100. * budget->instructions[COSTS_M3] / than->instructions[COSTS_M3];
 }
 
 /* How a budget compares with the methods that its user would take otherwise. */
@@ -77,7 +78,8 @@ static void sweep_budget(FILE *out, const struct survey *survey, double wanted, 
         fprintf(out, " %s budget %g: off by at most %.1f, %.1f dB, for %.2f million on M3", why, wanted,
                 budget->error.max, plot_decibel(&budget->error), budget->instructions[COSTS_M3] / 1e6);
         if (duff)
-            fprintf(out, ", %+.0f %% of duff", sweep_share(budget, duff->instructions[COSTS_M3]));
+            fprintf(out, ", %.0f %% %s than duff", fabs(sweep_saved(budget, duff)),
+                    sweep_saved(budget, duff) < 0 ? "more" : "less");
         if (gouraud)
             fprintf(out, " and %.2f times gouraud, which is off by %.0f",
                     (double)budget->instructions[COSTS_M3] / gouraud->instructions[COSTS_M3], gouraud->error.max);
@@ -107,8 +109,9 @@ static void sweep_methods(FILE *out, const struct survey *survey)
         if (row->beaten_by[COSTS_M3] || strcmp(row->method, "auto") == 0 ||
             sweep_beaten(survey, row->instructions[COSTS_M3], row->error.max, true))
             continue;
-        fprintf(out, "%s%s (off by %.1f, %.2f)",
-                count++ ? ", " : " Without a promise, no budget is at once as cheap as and no farther off than ",
+        fprintf(out, "%s%s (off by %.1f for %.2f)",
+                count++ ? ", "
+                        : " Worth a thought though they promise nothing, as no budget is both as cheap and as close: ",
                 row->method, row->error.max, row->instructions[COSTS_M3] / 1e6);
     }
     fprintf(out, count ? "." : " No method is worth naming: within some budget auto is as cheap and no farther off.");

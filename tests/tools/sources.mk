@@ -29,6 +29,8 @@ BENCH_SCENES := bench-torus288 bench-torus4000
 # What `make report` measures; the first is the page's summary and the README's.
 with_persp = $(foreach s,$(1),$(s) $(if $(wildcard tests/scenes/$(s)-persp.json),$(s)-persp))
 REPORT_SCENES := $(call with_persp,torus288 torus512 torus800 sphere168 sphere690 serpentine zigzag strip teapot896 teapot896-grey bulb pawn)
+# What it shows beside the truth.
+EFFECT_JSON := $(wildcard $(addprefix tests/scenes/,texture-*.json bump-*.json fog-*.json two-sided-*.json))
 # What it measures as a stream, moving.
 STREAM_SCENES := demo spin-torus800 spin-teapot spin-pawns torus288 torus512 torus800 torus1000 torus800-persp bench-torus4000 sphere690 \
 	bulb pawn serpentine zigzag strip teapot896

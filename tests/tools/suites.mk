@@ -105,10 +105,10 @@ STREAM_JSON := $(STREAM_SCENES:%=tests/scenes/%.json)
 REPORT_BOARDS := $(wildcard $(BUILD)/bench/boards.csv)
 $(BUILD)/report/index.html: $(GLINT) $(REPORT_BOARDS) $(BUILD)/report/costs.csv $(BUILD)/report/flash.csv $(BUILD)/report/powers.csv $(BUILD)/report/budgets.csv \
 		$(BUILD)/report/choices.csv $(BUILD)/bench/stream.csv \
-		$(REPORT_JSON) $(REPORT_IDEAL) $(STREAM_JSON)
+		$(REPORT_JSON) $(REPORT_IDEAL) $(STREAM_JSON) $(EFFECT_JSON)
 	$(Q)$(GLINT) report -o $(@D) --costs $(@D)/costs.csv --flash $(@D)/flash.csv --powers $(@D)/powers.csv \
 		--budgets $(@D)/budgets.csv --choices $(@D)/choices.csv \
-		--packing $(BUILD)/bench/stream.csv $(STREAM_JSON:%=--stream %) $(REPORT_BOARDS:%=--boards %) $(REPORT_JSON)
+		--packing $(BUILD)/bench/stream.csv $(EFFECT_JSON:%=--effect %) $(STREAM_JSON:%=--stream %) $(REPORT_BOARDS:%=--boards %) $(REPORT_JSON)
 
 report-page: $(BUILD)/report/index.html
 	@echo "$<"
