@@ -112,8 +112,8 @@ static void take_material(struct raster *r, const struct scene_header *scene, un
 {
     r->surface_material = (uint16_t)material;
     surface_setup(&r->surface, scene, scene_materials(scene) + material, &r->palette);
-    raster_find_table(r);
-    r->input.tabled = r->surface_table != 0;
+    table_find(r);
+    r->input.tabled = r->surface_table != 0 && raster_is(r, GLINT_RGB565);
 }
 
 /* Turns a listed triangle into the rasteriser's input: corners 0, 2, 1, which is clockwise with y down. */
@@ -183,7 +183,7 @@ static void draw_triangle(struct glint_frame *f, const struct triangle_ref *ref)
     const int32_t depth[3] = {(uint16_t)in->place[0][VERTEX_DEPTH], (uint16_t)in->place[1][VERTEX_DEPTH],
                               (uint16_t)in->place[2][VERTEX_DEPTH]};
     plane_linear(&setup->plane, depth, &setup->depth);
-    setup->found[0] = setup->found[1] = 0;
+    setup->found[0] = setup->found[1] = setup->found[2] = 0;
     method->setup(setup, in);
     f->stats.pixels[method->id] += method->draw(r, &edges);
     if (ref->first < r->y0)

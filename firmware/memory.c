@@ -6,9 +6,9 @@
 /* The bytes that README.md promises. */
 _Static_assert(sizeof(struct triangle_ref) == 8, "a listed triangle");
 _Static_assert(sizeof(struct clipped_triangle) == 40, "a piece made by clipping");
-_Static_assert(sizeof(void *) > 4 || (sizeof(struct object_state) == 248 && sizeof(struct raster) == 1920 &&
-                                      sizeof(struct colour_table) == 16412),
-               "an object, the working state, a colour table");
+_Static_assert(sizeof(void *) > 4 || (sizeof(struct object_state) == 248 && sizeof(struct raster) == 1924 &&
+                                      sizeof(struct table) == 28),
+               "an object, the working state, a table's head");
 
 static size_t words(size_t bytes)
 {
@@ -67,7 +67,7 @@ static size_t divide(const struct glint_config *c, struct glint_frame *f)
     } while (0)
     TAKE(raster, sizeof(struct raster));
     TAKE(objects, c->max_objects * sizeof(struct object_state));
-    TAKE(raster->table, c->tables * sizeof(struct colour_table));
+    TAKE(raster->table, c->tables * table_bytes(c->format));
     TAKE(clipped, c->max_clipped * sizeof(struct clipped_triangle));
     TAKE(vertices, (size_t)c->max_vertices * (VERTEX_LIGHTS + 2u * c->max_lights + c->method->vertex_words) * 2);
     TAKE(triangles, c->max_triangles * sizeof(struct triangle_ref));
@@ -103,7 +103,7 @@ static void ready(struct raster *r, const struct glint_config *c)
     r->split.area = c->subdivide_area ? c->subdivide_area : SPLIT_AREA;
     r->split.threshold = c->subdivide_threshold ? c->subdivide_threshold : SPLIT_THRESHOLD;
     r->split.tolerance = c->subdivide_tolerance ? c->subdivide_tolerance : SPLIT_TOLERANCE;
-    r->tables = c->method->uses_tables ? c->tables : 0;
+    r->tables = c->method->uses_tables && table_bytes(c->format) ? c->tables : 0;
 }
 
 int glint_init(struct glint_frame *f, const struct glint_config *c)
@@ -115,11 +115,9 @@ int glint_init(struct glint_frame *f, const struct glint_config *c)
     *f = (struct glint_frame){0};
     f->config = *c;
     divide(c, f);
-    struct colour_table *tables = f->raster->table;
     ready(f->raster, c);
     f->raster->depth = f->depth;
-    for (unsigned i = 0; i < c->tables; i++)
-        tables[i].exponent = 0;
+    table_clear(f->raster);
     return 0;
 }
 

@@ -120,6 +120,28 @@ FX_WRAPS static inline __attribute__((always_inline)) void fx_step(uint32_t *x, 
 #endif
 }
 
+/* x >> down, x signed, within [0, 2^bits): bits and down constants, bits + down < 32. An instruction of ARMv7-M, which
+ * compilers do not make of the clamp and the shift together. */
+#if defined(__ARM_ARCH_7M__) || defined(__ARM_ARCH_7EM__)
+#define fx_saturated(x, bits, down)                                                                          \
+    (__extension__({                                                                                         \
+        uint32_t fx_out;                                                                                     \
+        if (down)                                                                                            \
+            __asm__("usat %0, %2, %1, asr %3" : "=r"(fx_out) : "r"(x), "I"(bits), "I"((down) ? (down) : 1)); \
+        else                                                                                                 \
+            __asm__("usat %0, %2, %1" : "=r"(fx_out) : "r"(x), "I"(bits));                                   \
+        fx_out;                                                                                              \
+    }))
+#else
+static inline __attribute__((always_inline)) uint32_t fx_saturated(uint32_t x, unsigned bits, unsigned down)
+{
+    uint32_t y = x >> down;
+    if (__builtin_expect(y >> bits != 0, 0))
+        y = ~(uint32_t)((int32_t)x >> 31) >> (32 - bits);
+    return y;
+}
+#endif
+
 /* Leading zero bits of x > 0. */
 static inline unsigned fx_clz(uint32_t x)
 {

@@ -25,13 +25,46 @@ struct curve {
     const struct curve_line *lines; /* five, or null: nothing is promised */
 };
 
-/* Corner values in order, Q14. */
+/* By the largest bend: 29, 41.4, 60 and 90 degrees between normals. Four chords of F (f) and what lies beyond them, and
+ * for (a) the largest (1/sqrt(1 - 4 S) - 1 - 2 S) / S^2 there, at S = kB / 3, Q8. */
+#define CURVE_BANDS 4
+struct curve_band {
+    uint16_t most;
+    uint16_t square;
+    struct curve_line line[5];
+};
+extern const struct curve_band curve_bands[CURVE_BANDS];
+
+/* A dot product at the three corners, in order, Q14; how far the truth is above the linear value at most, and the
+ * largest true value. */
 struct curve_values {
     int32_t high, middle, low;
+    int32_t linear, top;
 };
 
-void curve_setup(struct curve *curve, const uint16_t bend[3]);
+/* (a) S = sum kij li lj <= max(k1 / 4, (2 k1 + k2 + k3) / 12), k1 the largest; and 1/sqrt(1 - 4 S) - 1 <= 2 S +
+ * square S^2, as its series has no negative term. */
+static inline void curve_setup(struct curve *curve, const uint16_t bend[3])
+{
+    const uint32_t a = bend[0], b = bend[1], c = bend[2];
+    uint32_t most = a > b ? a : b;
+    most = c > most ? c : most;
+    curve->bend = most;
+    curve->lines = 0;
+    curve->stretch = CURVE_NEVER;
+    if (most > CURVE_MOST_BEND)
+        return;
+    /* the sum is at most 2^17, times 5462 below 2^29.5; s <= 2^13.5, s^2 < 2^27, times the factor below 2^24 */
+    const uint32_t quarter = (most >> 2) + 1, twelfth = ((most + a + b + c) * 5462 >> 16) + 1,
+                   s = quarter > twelfth ? quarter : twelfth;
+    const struct curve_band *band = curve_bands;
+    while (most > band->most)
+        band++;
+    curve->lines = band->line;
+    curve->stretch = s + (((s * s >> 16) + 1) * band->square >> 9) + 2; /* 2 S in Q15 is S in Q16 */
+}
 
+/* The values in order; the rest is curve_bound()'s. */
 static inline struct curve_values curve_values(int32_t a, int32_t b, int32_t c)
 {
     struct curve_values v;
@@ -39,27 +72,41 @@ static inline struct curve_values curve_values(int32_t a, int32_t b, int32_t c)
     v.high = c > most ? c : most;
     v.low = c < least ? c : least;
     v.middle = a + b + c - v.high - v.low;
+    v.linear = v.top = 0;
     return v;
 }
 
-/* (d) The most that the truth is above the linear value, Q14; it is never below where it shows. high > 0: mean <= 2^14
- * (1 + 2^-9), stretch <= 2^17. */
-static inline int32_t curve_linear(const struct curve *curve, const struct curve_values *v)
+/*
+ * (d), (c) Fills linear and top; high > 0. Truth exceeds the linear value by at most (.593 h1 + .407 h2) (1/|N| - 1),
+ * and is never below it where it shows; nothing exceeds h1 if h1 - h2 >= 2 h1 kB. mean <= 2^14 (1 + 2^-9), stretch <=
+ * 2^17.
+ */
+static inline void curve_bound(const struct curve *curve, struct curve_values *v)
 {
     const int32_t mean = ((v->high * 607 + (v->middle > 0 ? v->middle : 0) * 418) >> 10) + 1;
-    return (int32_t)((uint32_t)mean * curve->stretch >> 15) + 1;
-}
-
-/* (c) The largest true value in the triangle, Q14. */
-static inline int32_t curve_top(const struct curve *curve, const struct curve_values *v, int32_t linear)
-{
-    int32_t top = v->high;
-    if (v->high - v->middle <= (int32_t)((uint32_t)v->high * curve->bend >> 15) + 1)
-        top += linear;
-    return top < 16384 ? top : 16384;
+    v->linear = (int32_t)((uint32_t)mean * curve->stretch >> 15) + 1;
+    v->top = v->high;
+    if (v->high - v->middle <= (int32_t)((uint32_t)v->high * curve->bend >> 15) + 1) {
+        v->top += v->linear;
+        if (v->top > 16384)
+            v->top = 16384;
+    }
 }
 
 /* (f) The most that six is off, either way, Q14. high > 0, curve->lines not null. */
-int32_t curve_six(const struct curve *curve, const struct curve_values *v);
+static inline int32_t curve_six(const struct curve *curve, const struct curve_values *v)
+{
+    const struct curve_line *line = curve->lines, *const last = line + 4;
+    const int32_t scaled = (int32_t)((uint32_t)v->high * curve->bend >> 16) + 1, range = v->high - v->low;
+    int32_t most = 0; /* |alpha| < 2^16, |beta| < 2^14.1, scaled <= 2^13, range <= 2^15: below 2^31 */
+    if (range > 16 * scaled)
+        most = last->alpha * scaled + last->beta * range;
+    else
+        for (; line != last; line++) {
+            const int32_t value = line->alpha * scaled + line->beta * range;
+            most = value > most ? value : most;
+        }
+    return (int32_t)((((uint32_t)most >> 14) + 1) * curve->bend >> 18) + 2;
+}
 
 #endif

@@ -27,13 +27,18 @@ enum plan_rung {
 
 /* What is decided of a triangle; made by plan_triangle(), used by its set-up. Lights are a bit each. */
 struct shade_plan {
+    union {
+        uint32_t none[2]; /* of what follows, for making it 0 at once */
+        struct {
+            uint8_t diffuse, specular;           /* lights whose N.L, N.H are computed */
+            uint8_t diffuse_bent, specular_bent; /* of them those that are quadratic (six); the rest linear */
+            uint8_t hidden_lights;               /* left out as they reach no pixel (exact) */
+            uint8_t hidden_highlights;           /* below the power table's foot (exact) */
+            uint8_t dropped_highlights;          /* left out within the budget */
+            uint8_t undivided;                   /* a perspective view, drawn without perspective correction */
+        };
+    };
     uint8_t rung;                         /* enum plan_rung */
-    uint8_t diffuse, specular;            /* lights whose N.L, N.H are computed */
-    uint8_t diffuse_bent, specular_bent;  /* of them those that are quadratic (six); the rest linear */
-    uint8_t hidden_lights;                /* left out as they reach no pixel (exact) */
-    uint8_t hidden_highlights;            /* below the power table's foot (exact) */
-    uint8_t dropped_highlights;           /* left out within the budget */
-    uint8_t undivided;                    /* a perspective view, drawn without perspective correction */
     uint8_t texture;                      /* how its coordinates are interpolated */
     uint8_t fog;                          /* how its factor is */
     uint16_t error;                       /* what a pixel can be off by, Q8 of 1/255, roundings apart */
@@ -46,8 +51,8 @@ struct plan_surface {
     uint16_t budget; /* Q8 of 1/255 */
     uint8_t lights;
     uint8_t highlights; /* some light has one */
-    int16_t foot;       /* N.H at or below which the power is 0, Q14 */
     uint16_t full;      /* what all lights together may add before a channel is clamped, Q8 of 1/255 */
+    int16_t foot;       /* N.H below which the power is 0, Q14 */
     struct {
         uint16_t diffuse, specular; /* the worst channel's part at N.L = 1, (N.H)^n = 1: Q8 of 1/255, at most 255 */
     } light[SCENE_MAX_LIGHTS];
@@ -55,15 +60,22 @@ struct plan_surface {
 
 /* What it must know of a triangle. */
 struct plan_triangle {
-    int16_t *const *lights;      /* of each corner: N.L and N.H of each light, Q14 */
-    const uint16_t *bend;        /* of the three edges, Q16: struct scene_triangle */
-    const int16_t *const *place; /* vertex records of the corners that are drawn: a piece's own depths */
-    uint8_t divides;             /* in a perspective view */
-    uint8_t local;               /* under a near light or eye */
-    uint8_t keep;                /* compute what cannot show (GLINT_NO_PLAN) */
+    const int16_t *lights[3]; /* of each corner: N.L and N.H of each light, Q14 */
+    const uint16_t *bend;     /* of the three edges, Q16: struct scene_triangle */
+    uint32_t shift;           /* plan_shift(); 0: no perspective */
+    int keep;                 /* compute what cannot show (GLINT_NO_PLAN) */
 };
 
-/* Plans a triangle within the surface's budget. */
+/* (p) How far perspective moves barycentric coordinates over a triangle of these vertex records, Q16, at most 1. */
+uint32_t plan_shift(const int16_t *const place[3]);
+
+/* Plans a triangle under far lights within the surface's budget. */
 void plan_triangle(struct shade_plan *plan, const struct plan_surface *surface, const struct plan_triangle *triangle);
+
+/* The same for any number of lights and in perspective: what plan_triangle() calls where it has no short cut. */
+void plan_several(struct shade_plan *plan, const struct plan_surface *surface, const struct plan_triangle *triangle);
+
+/* Makes a plan compute what is hidden all the same. */
+void plan_keep(struct shade_plan *plan);
 
 #endif

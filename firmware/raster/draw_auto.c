@@ -3,13 +3,8 @@
 #include "raster/raster.h"
 #include "shade/colour.h"
 
-static uint32_t draw_constant(struct raster *r, struct edges *e)
-{
-    return glint_flat.draw(r, e);
-}
-
-static const struct glint_method dark = {GLINT_DARK, 0, 0, shade_constant, draw_constant, 0, 0};
-static const struct glint_method constant = {GLINT_CONSTANT, 0, 0, shade_constant, draw_constant, 0, 0};
+static const struct glint_method dark = {GLINT_DARK, 0, 0, shade_constant, draw_flat, 0, 0};
+static const struct glint_method constant = {GLINT_CONSTANT, 0, 0, shade_constant, draw_flat, 0, 0};
 static const struct glint_method linear = {GLINT_LINEAR, 1, 0, shade_planned, raster_draw_dots, 0, 0};
 static const struct glint_method six = {GLINT_SIX, 1, 0, shade_planned, raster_draw_dots, 0, 0};
 
@@ -21,16 +16,18 @@ static const struct glint_method *const rungs[PLAN_RUNGS] = {
 static const struct glint_method *choose_planned(struct raster *r)
 {
     struct shade_input *in = &r->input;
-    const struct plan_triangle triangle = {.lights = in->lights,
-                                           .bend = in->triangle->bend,
-                                           .place = in->place,
-                                           .divides = in->divides,
-                                           .local = in->object->local != 0,
-                                           .keep = in->no_plan};
     if (!r->surface.plan.power)
         surface_plan(&r->surface, &r->palette, r->budget);
-    plan_triangle(&in->plan, &r->surface.plan, &triangle);
+    if (object_local(in->object)) { /* corner values say nothing of what lies between: each place has its vectors */
+        in->plan = (struct shade_plan){.rung = PLAN_PHONG};
+    } else {
+        const struct plan_triangle triangle = {{in->lights[0], in->lights[1], in->lights[2]},
+                                               in->triangle->bend,
+                                               in->divides ? plan_shift(in->place) : 0,
+                                               in->no_plan};
+        plan_triangle(&in->plan, &r->surface.plan, &triangle);
+    }
     return in->plan.rung == PLAN_PHONG && !in->divides ? &glint_phong : rungs[in->plan.rung];
 }
 
-const struct glint_method glint_auto = {GLINT_FLAT, 1, COLOUR_WORDS, shade_constant, draw_constant, 0, choose_planned};
+const struct glint_method glint_auto = {GLINT_FLAT, 1, COLOUR_WORDS, shade_constant, draw_flat, 0, choose_planned};

@@ -2,6 +2,7 @@
 /* Duff's pixels: one reciprocal square root each, for all lights. */
 #include "raster/dots.h"
 #include "raster/runs.h"
+#include "raster/spans.h"
 
 static void divide_by_length(struct raster *r, int n)
 {
@@ -38,9 +39,11 @@ static void shade_run(struct raster *r, int x, int y, int n)
     dots_shade(r, x, y, n, object_local(r->input.object) ? divide_near : divide_by_length);
 }
 
-static uint32_t draw(struct raster *r, struct edges *e)
+uint32_t draw_duff(struct raster *r, struct edges *e)
 {
+    if (USES(USES_GREY8) && r->setup.length)
+        return spans_grey8_lengths(r, e);
     return runs_draw(r, e, shade_run);
 }
 
-const struct glint_method glint_duff = {GLINT_DUFF, 0, 0, shade_duff, draw, 0, 0};
+const struct glint_method glint_duff = {GLINT_DUFF, 1, 0, shade_duff, draw_duff, 0, 0};

@@ -17,15 +17,20 @@
 
 #define SPANS 32 /* rows scan-converted at a time */
 
-/* Colours of one material under one light, RGB565: [highlight step][diffuse step]. Row 0 has no highlight. */
+/*
+ * What one material is under one light, see table.c. RGB565: colours [highlight step][diffuse step], TABLE_HIGHLIGHT by
+ * TABLE_DIFFUSE. GREY8, RGB888: ambient part and highlight by highlight step, 2^TABLE_BITS entries of 1 or 4 (r, g, b,
+ * none) numbers. Row or entry 0 has no highlight.
+ */
 #define TABLE_DIFFUSE   64
 #define TABLE_HIGHLIGHT 128
-struct colour_table {
+#define TABLE_BITS      10
+struct table {
     uint32_t base[3]; /* what it was made for: see struct surface */
     uint16_t diffuse[3], specular[3];
     uint16_t exponent; /* 0: not made */
     uint16_t reserved;
-    uint16_t colour[TABLE_HIGHLIGHT][TABLE_DIFFUSE];
+    uint16_t entry[];
 };
 
 /* Defaults of what follows; the first and last are the paper's (Cho et al. 1996). */
@@ -53,8 +58,8 @@ struct raster {
     struct surface surface;
     uint16_t budget;                          /* of auto, Q8 of 1/255 */
     uint16_t surface_material;                /* which one `surface` holds; 0xffff: none */
-    const struct colour_table *surface_table; /* made for `surface`; null: none, or not looked for yet */
-    struct colour_table *table;               /* one for each of the first r->tables materials */
+    const struct table *surface_table; /* made for `surface`; null: none, or not looked for yet */
+    void *table;                       /* one for each of the first r->tables materials, table_bytes() each */
     /* the triangle in hand */
     struct shade_input input;
     union {
@@ -107,7 +112,7 @@ static inline uint8_t raster_top(unsigned format, unsigned channel)
 /* A method: how a triangle is set up, and its pixels. */
 struct glint_method {
     uint8_t id;           /* enum glint_method_id */
-    uint8_t uses_tables;  /* draws from colour tables where it can */
+    uint8_t uses_tables;  /* draws from tables where it can */
     uint8_t vertex_words; /* int16_t that it keeps in a vertex record behind the lights; the last is 0 at first */
     void (*setup)(struct shade_setup *setup, const struct shade_input *in);
     /* Draws the set-up triangle over the band; returns the pixels that passed the depth test. */
@@ -119,8 +124,10 @@ struct glint_method {
     const struct glint_method *(*choose)(struct raster *r);
 };
 
-/* These methods' draw. */
+/* These methods' draw. flat's is of r->setup.flat. */
+uint32_t draw_flat(struct raster *r, struct edges *e);
 uint32_t draw_gouraud(struct raster *r, struct edges *e);
+uint32_t draw_duff(struct raster *r, struct edges *e);
 uint32_t draw_color6(struct raster *r, struct edges *e);
 
 /* 1 / W of n pixels, and the reciprocal length of their normals (SHADE_SQUARE), into r->divisor. */
@@ -145,9 +152,15 @@ static inline int raster_spans(struct raster *r, struct edges *e)
 /* Fills the band with the background and its depth with the far end. */
 void raster_clear(struct raster *r, const struct scene_header *scene);
 
-/* Sets r->surface_table to the colour table of the surface in hand, made anew if it was another's; null if it has none:
- * another format than 565, dither, not one light, or a material beyond the tables. Table i is material i's, so that a
- * picture does not depend on what was drawn before. */
-void raster_find_table(struct raster *r);
+/* Bytes of a table for this format, a multiple of 4; 0: it has none. */
+uint32_t table_bytes(unsigned format);
+
+/* Empties r->tables tables. */
+void table_clear(struct raster *r);
+
+/* Sets r->surface_table to the table of the surface in hand, made anew if it was another's; null if it has none: GREY4,
+ * dither, not one light, outside RGB565 another form of the power, or a material beyond the tables. Table i is material
+ * i's, so that a picture does not depend on what was drawn before. */
+void table_find(struct raster *r);
 
 #endif

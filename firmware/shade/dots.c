@@ -55,8 +55,7 @@ void dots_bulges(const int32_t corner[3], const int32_t middle[3], const struct 
     }
 }
 
-/* A third of the largest bulge, rounded up, in Q14; 2 for the roundings of bulges and corner values. */
-static int32_t bend_of(const int32_t bulge[3])
+int32_t dots_bulge_bend(const int32_t bulge[3])
 {
     int32_t most = 0;
     for (int k = 0; k < 3; k++) {
@@ -85,11 +84,13 @@ FX_WRAPS void dots_quadratic(struct shade_setup *setup, const int32_t value[3], 
 
 static void interpolate(struct shade_setup *setup, const struct shade_input *in, unsigned index, int linear,
                         int32_t value[3], int32_t bulge[3], const struct perspective *perspective,
-                        const struct glint_power *form)
+                        const struct glint_power *form, struct bounds range, int32_t bend, int in_steps)
 {
     struct channel *channel = &setup->channel[index];
     if (in->weight)
         piece_quadratic(in->weight, value, bulge);
+    if (in_steps)
+        steps_take(setup, in->surface, range, bend, value, bulge);
     if (form) {
         int32_t folded[3];
         setup->folded = (uint8_t)form->fold(in->surface->power->exponent, value, bulge, folded, bulge);
@@ -130,15 +131,16 @@ void dots_setup(struct shade_setup *setup, const struct shade_input *in, const s
             uint32_t error;
             struct bounds range = bounds_of(samples.corner[which]);
             dots_bulges(samples.corner[which], samples.middle[which], factors, bulge);
-            range.low = stretched(range.low, factors->stretch);
+            range.low = range.low < 0 ? stretched(range.low, factors->stretch) : range.low;
             range.high = stretched(range.high, factors->stretch);
-            int32_t bend = stretched(bend_of(bulge), factors->stretch);
+            int32_t bend = stretched(dots_bulge_bend(bulge), factors->stretch);
             bend = bend < MOST_BEND ? bend : MOST_BEND;
             if (!dots_show(setup, in, i, which, range, bend, form != 0, &error))
                 continue;
             *shown[which] |= (uint8_t)(1u << i);
+            const int in_steps = !which && factors->folds && surface_fold(s) && !perspective;
             interpolate(setup, in, 2 * i + which, error < s->bend_limit, samples.corner[which], bulge, perspective,
-                        which && folds ? form : 0);
+                        which && folds ? form : 0, range, bend, in_steps);
         }
     }
 }

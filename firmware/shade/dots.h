@@ -9,8 +9,8 @@
 #ifndef GLINT_DOTS_H
 #define GLINT_DOTS_H
 
-#include "plan/bounds.h"
 #include "shade/perspective.h"
+#include "shade/steps.h"
 
 /* A triangle's length factors of the edges 0-1, 1-2, 2-0, and what a channel's value is at most multiplied by later on;
  * Q16, 2^16..2^20. */
@@ -18,6 +18,7 @@ struct dots_factors {
     uint32_t edge[3];
     uint32_t stretch;
     int are_dots; /* the channels hold the dot products themselves */
+    int folds;    /* N.L may count in steps of the output (shade/steps.h) */
 };
 
 /* Samples of one light: N.L and N.H at the corners, and (Ni + Nj).V at the middles of the edges; Q14. */
@@ -40,6 +41,10 @@ void dots_sample(const struct shade_input *in, unsigned light, struct dots_sampl
 /* Bulges in Q28 of samples. */
 void dots_bulges(const int32_t corner[3], const int32_t middle[3], const struct dots_factors *factors, int32_t out[3]);
 
+/* How far a value leaves the linear one, Q14: a third of the largest bulge, rounded up; 2 for the roundings of bulges and
+ * corner values. */
+int32_t dots_bulge_bend(const int32_t bulge[3]);
+
 /* A quadratic channel of values in Q14 and bulges in Q28, by the cheapest way that holds them. */
 void dots_quadratic(struct shade_setup *setup, const int32_t value[3], const int32_t bulge[3], struct channel *channel);
 
@@ -52,12 +57,18 @@ static inline uint32_t dots_highlight_slack(const struct surface *s, unsigned li
     return surface_diffuse(change, s->light[light].specular_most) >> 7;
 }
 
-/* N.H's place in the power's table beyond [-2, 2), for loops whose clamps are by sign (raster/pixels.h); 256 for the
+/* N.H's place in the power's table beyond [-2, 2), for loops whose clamps are by sign (raster/spans.h); 256 for the
  * roundings. */
 static inline int dots_wide(const struct fx_power *power, struct bounds range, int32_t bend)
 {
     const int32_t floor = bounds_power_floor(power), most = (32768 - 256) >> power->octave;
     return floor - range.low + bend > most || range.high + bend - floor > most;
+}
+
+/* N.H less the foot of the power may pass -2 in Q30. */
+static inline int dots_deep(const struct fx_power *power, struct bounds range, int32_t bend)
+{
+    return range.low - bend - bounds_power_floor(power) < -32768 + 256;
 }
 
 /* Whether one dot product of a light, within `range` at the corners and at most `bend` off linear, can show on the
@@ -69,11 +80,11 @@ static inline __attribute__((always_inline)) int dots_show(struct shade_setup *s
 {
     const struct surface *s = in->surface;
     int32_t top = range.high + bend, floor = highlight && !form ? bounds_power_floor(s->power) : 1;
-    int deep = highlight && range.low - bend - floor < -32768 + 256; /* less the floor, it may pass -2 in Q30 */
+    const int deep = highlight && (form ? range.low - bend < -32768 + 257 : dots_deep(s->power, range, bend));
     *error = 0; /* steps in Q8 at full intensity times a Q14 bend: below 2^16 * 2^16 */
     if (top < floor && (!in->no_plan || deep))
         return 0;
-    if (FX_NARROW && highlight)
+    if (highlight && USES(USES_FORMATS & ~USES_GREY4))
         setup->wide |= (uint8_t)dots_wide(s->power, range, bend);
     if (top < floor)
         return 1;

@@ -79,6 +79,7 @@ void plane_setup_quadratic(struct plane *plane)
      * as 2^(14 - scale). det << scale stays below 2^29. */
     uint32_t height = plane->scale > 0 ? plane->det << plane->scale : plane->det >> -plane->scale;
     plane->thin = scaled_up(plane) > MOST_UP_QUADRATIC || height < 32u << 14;
+    plane->slim = plane->sliver || height < 1u << 12; /* see plane_quadratic_wide() */
     plane->r2 = (int32_t)(fx_mulhi_u32(plane->r, plane->r) >> 1);
     /* within -8..23 sixteenths of corner 0, or not */
     plane->far = ((uint32_t)((plane->fx + 8) | (plane->fy + 8)) >> 5 | (uint32_t)plane->scale >> 31) != 0;
@@ -186,12 +187,8 @@ FX_WRAPS static inline int32_t second_difference(const struct plane *p, int32_t 
 FX_WRAPS void plane_quadratic(const struct plane *plane, const int32_t value[3], const int32_t bulge[3],
                               struct channel *channel)
 {
-    channel->exact = plane->thin; /* PLANE_EXACT */
-    if (plane->thin) {
-        plane_keep_corners(channel, value, bulge);
-        return;
-    }
-    if (plane->far) {
+    channel->exact = 0;
+    if (plane->thin || plane->far) {
         plane_quadratic_large(plane, value, bulge, channel);
         return;
     }

@@ -32,8 +32,9 @@ struct plane {
     int32_t ox, oy;                                 /* the origin pixel */
     int32_t fx, fy; /* its centre from corner 0, 1/16 pixel: -7..8 with corner 0 in the picture, else up to 2^15 */
     uint8_t sliver; /* no polynomial is accurate enough over it */
-    uint8_t thin;   /* no quadratic is: set by plane_setup_quadratic() */
-    uint8_t far;    /* beyond the 32-bit quadratic's reach, in size or place: set by plane_setup_quadratic() */
+    uint8_t slim;   /* no quadratic is; this and what follows are set by plane_setup_quadratic() */
+    uint8_t thin;   /* no quadratic in 32 bits is: it takes 64 */
+    uint8_t far;    /* the same because of its size or place */
 };
 
 enum plane_exact { PLANE_EXACT = 1, PLANE_EXACT_WIDE = 2 }; /* corner values times 2^16, or as they are */

@@ -19,19 +19,36 @@ void shade_constant(struct shade_setup *setup, const struct shade_input *in)
         setup->flat[c] = setup->flat[c] < s->top[c] ? setup->flat[c] : s->top[c];
 }
 
-/* Of a clipped piece the linear value at its corners is the source's. */
-static void linear(struct shade_setup *setup, const struct shade_input *in, unsigned index)
+/* One channel, linear where `bulge` is null. */
+static void interpolate(struct shade_setup *setup, const struct shade_input *in, unsigned index, int32_t value[3],
+                        int32_t *bulge)
 {
-    const int32_t corner[3] = {in->lights[0][index], in->lights[1][index], in->lights[2][index]};
+    const struct bounds range = bounds_of(value); /* of a clipped piece too: it lies in its source */
+    const int32_t bend = bulge ? dots_bulge_bend(bulge) : 2;
+    const int in_steps = !(index & 1) && surface_fold(in->surface);
+    int32_t none[3] = {0, 0, 0};
     struct channel *channel = &setup->channel[index];
-    if (in->weight) {
-        int32_t value[3] = {corner[0], corner[1], corner[2]}, bulge[3] = {0, 0, 0};
-        piece_quadratic(in->weight, value, bulge);
-        plane_linear(&setup->plane, value, channel);
+    if (index & 1)
+        setup->runs_only |= (uint8_t)dots_deep(in->surface->power, range, bend);
+    if (index & 1 && USES(USES_FORMATS & ~USES_GREY4))
+        setup->wide |= (uint8_t)dots_wide(in->surface->power, range, bend);
+    if (in->weight)
+        piece_quadratic(in->weight, value, bulge ? bulge : none);
+    if (in_steps)
+        steps_take(setup, in->surface, range, bend, value, bulge);
+    if (bulge) {
+        setup->quadratic = 1;
+        dots_quadratic(setup, value, bulge, channel);
     } else {
-        plane_linear(&setup->plane, corner, channel);
+        plane_linear(&setup->plane, value, channel);
     }
     setup->runs_only |= (uint8_t)(channel->exact != 0);
+}
+
+static void linear(struct shade_setup *setup, const struct shade_input *in, unsigned index)
+{
+    int32_t value[3] = {in->lights[0][index], in->lights[1][index], in->lights[2][index]};
+    interpolate(setup, in, index, value, 0);
 }
 
 /* factors: of the edges 0-1, 1-2, 2-0. The bulge is 2 S - 2 S D = 2 S (1 - D) of S = Ii + Ij, D the length factor:
@@ -41,11 +58,7 @@ static void six(struct shade_setup *setup, const struct shade_input *in, unsigne
     int32_t value[3] = {in->lights[0][index], in->lights[1][index], in->lights[2][index]};
     int32_t bulge[3] = {-((value[0] + value[1]) * factors[0]) >> 1, -((value[1] + value[2]) * factors[1]) >> 1,
                         -((value[2] + value[0]) * factors[2]) >> 1};
-    if (in->weight)
-        piece_quadratic(in->weight, value, bulge);
-    setup->quadratic = 1;
-    dots_quadratic(setup, value, bulge, &setup->channel[index]);
-    setup->runs_only |= (uint8_t)(setup->channel[index].exact != 0);
+    interpolate(setup, in, index, value, bulge);
 }
 
 void shade_planned(struct shade_setup *setup, const struct shade_input *in)

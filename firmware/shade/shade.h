@@ -82,9 +82,13 @@ struct part_split {
 };
 #define PART_DEPTH 5 /* times that a triangle is split at most */
 
+/* The largest bend, Q16, at which 1 - |N|^2 <= 4/3 bend stays below 1/4, less 1/500 for the channel's error: about 51
+ * degrees between two normals. */
+#define SHADE_LENGTH_BEND 12200
+
 struct shade_setup {
     union { /* what set-up finds out, all 0 before it */
-        uint32_t found[2];
+        uint32_t found[3];
         struct {
             uint8_t perspective;     /* channels are numerators: 1 + how far closeness is moved up; 0: as they are */
             uint8_t diffuse_lights;  /* x: bit i: light i reaches the triangle */
@@ -93,6 +97,9 @@ struct shade_setup {
             uint8_t folded;    /* N.H is that of a form of the power folded with this `down`; 0: the dot product */
             uint8_t wide;      /* x: N.H times 2^octave of the power, from its foot, leaves [-2, 2) */
             uint8_t runs_only; /* x: a channel that no polynomial holds, or N.H beyond what a table's loop can index */
+            uint8_t in_steps;  /* N.L counts in steps of the output (shade/steps.h); where it does, */
+            uint8_t plain;     /* it needs no clamp together with the ambient part */
+            uint8_t length;    /* duff: SHADE_SQUARE holds 1 - |N|^2, below 1/4; numerators are linear */
         };
     };
     struct plane plane;

@@ -11,7 +11,7 @@ static void setup_of(struct shade_setup *setup, const struct shade_input *in, co
     for (int k = 0; k < 3; k++)
         factors.edge[k] = dots_length_factor(dots_bend(in, k));
     factors.stretch = 1u << 16;
-    factors.are_dots = 1;
+    factors.are_dots = factors.folds = 1;
     dots_setup(setup, in, &factors, perspective);
 }
 

@@ -68,6 +68,12 @@ FX_COLD void surface_setup(struct surface *surface, const struct scene_header *s
             reflected(palette, material->specular, material->ks, light[i].colour, surface->light[i].specular);
         surface->highlights |= surface->light[i].specular_most != 0;
     }
+    surface->fold = surface->ambient = 0;
+    if (USES(USES_GREY8) && palette->channels == 1 && palette->top[0] == 255 && surface->lights == 1 &&
+        !surface_form(surface)) {
+        surface->fold = surface->light[0].diffuse[0];
+        surface->ambient = (uint16_t)((surface->base[0] >> 8) + (1 << 6));
+    }
 }
 
 /* Steps of a channel's output (Q8) in 1/255 of full intensity, rounded up; at most 255 and a little. */

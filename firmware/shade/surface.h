@@ -19,8 +19,11 @@ struct surface {
     const struct fx_power *power;
     const struct glint_power *form; /* of the power; null: the table */
     uint8_t channels, lights;
-    uint8_t bend_limit;       /* a bend that moves a channel by less is left out: half a step over all lights, Q8 */
-    uint8_t highlights;       /* some channel of `specular` is not 0 */
+    uint8_t bend_limit; /* a bend that moves a channel by less is left out: half a step over all lights, Q8 */
+    uint8_t highlights; /* some channel of `specular` is not 0 */
+    /* 8-bit grey under one light (shade/steps.h), else 0: diffuse light in Q16 of 256 steps, and the ambient part with
+     * the rounding half, Q7 steps */
+    uint16_t fold, ambient;
     struct plan_surface plan; /* glint_auto's; its power is null until surface_plan() has filled it */
     uint32_t base[3];         /* ambient part, Q15 steps, at most 255 * 2^15 */
     uint32_t top[3];          /* full intensity, Q15 steps */
@@ -46,6 +49,10 @@ static inline int surface_highlights(const struct surface *s)
 static inline const struct glint_power *surface_form(const struct surface *s)
 {
     return USES(USES_POWERS) ? s->form : 0;
+}
+static inline uint32_t surface_fold(const struct surface *s)
+{
+    return USES(USES_GREY8) ? s->fold : 0;
 }
 
 void surface_setup(struct surface *surface, const struct scene_header *scene, const struct scene_material *material,

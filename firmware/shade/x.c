@@ -27,7 +27,8 @@ static inline __attribute__((always_inline)) int interpolate(struct shade_setup 
         value[k] = in->lights[k][2 * light + highlight];
     struct bounds range = bounds_of(value); /* of a clipped piece too: it lies in its source */
     uint32_t error;
-    if (!dots_show(setup, in, light, highlight, range, bounds_bend(range, curl), 0, &error))
+    const int32_t bend = bounds_bend(range, curl);
+    if (!dots_show(setup, in, light, highlight, range, bend, 0, &error))
         return 0;
     int linear = error < in->surface->bend_limit;
     if (!linear || in->weight) {
@@ -35,6 +36,8 @@ static inline __attribute__((always_inline)) int interpolate(struct shade_setup 
         if (in->weight)
             piece_quadratic(in->weight, value, bulge);
     }
+    if (!highlight && surface_fold(in->surface))
+        steps_take(setup, in->surface, range, bend, value, linear ? 0 : bulge);
     if (linear) {
         plane_linear(&setup->plane, value, channel);
     } else {
@@ -52,7 +55,7 @@ static void factors_of(const struct shade_input *in, struct dots_factors *factor
     for (int k = 0; k < 3; k++)
         factors->edge[k] = (1u << 16) + dots_bend(in, k) / 2;
     factors->stretch = 1u << 16;
-    factors->are_dots = 1;
+    factors->are_dots = factors->folds = 1;
 }
 
 /* Where light or eye is near: their vectors at the mid-edges are unit ones of that place (eq. 33 with eq. 16). */

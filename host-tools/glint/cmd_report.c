@@ -31,7 +31,7 @@ static const char report_help[] =
     "FOLDER/report.csv, with --stream FOLDER/stream.csv too. `make report` counts the costs and calls this. gnuplot\n"
     "draws the plots.\n\n"
     "  -o, --output FOLDER  made if it is not there\n"
-    "      --costs FILE     cpu,scene,method,width,height,format,instructions: of a frame on m3 and on m0plus\n"
+    "      --costs FILE     cpu,scene,method,width,height,format,instructions,picture: of a frame on m3 and on m0plus\n"
     "      --flash FILE     cpu,method,bytes: of a program that draws by that method\n"
     "      --budgets FILE   cpu,scene,budget_q8,instructions: of a frame by auto; with it the page shows what a "
     "budget\n"

@@ -15,7 +15,7 @@ const char *const costs_cpu_titles[COSTS_CPUS] = {[COSTS_M3] = "M3", [COSTS_M0PL
 const char *const costs_stream_cpus[COSTS_STREAM_CPUS] = {"m0plus", "m3", "m4"};
 const char *const costs_stream_cpu_titles[COSTS_STREAM_CPUS] = {"M0+", "M3", "M4"};
 
-static const char costs_frames_head[] = "cpu,scene,method,width,height,format,instructions";
+static const char costs_frames_head[] = "cpu,scene,method,width,height,format,instructions,picture";
 static const char costs_flash_head[] = "cpu,method,bytes";
 static const char costs_powers_head[] = "cpu,scene,power,exponent,instructions";
 static const char costs_budgets_head[] = "cpu,scene,budget_q8,instructions";
@@ -51,8 +51,16 @@ static const char *costs_take_frame(void *context, char *field[CSV_FIELDS], unsi
         return "the format is not grey8";
     if (!cli_number(field[6], 1, UINT32_MAX, &frame.instructions))
         return "the instructions are no number above 0";
+    problem = csv_name(frame.picture, sizeof frame.picture, field[7], "");
+    if (problem)
+        return problem;
     if (costs_find_frame(costs, frame.cpu, frame.scene, frame.method))
         return "a second line for this cpu, scene and method";
+    for (enum costs_cpu cpu = 0; cpu < COSTS_CPUS; cpu++) {
+        const struct costs_frame *other = costs_find_frame(costs, cpu, frame.scene, frame.method);
+        if (other && strcmp(other->picture, frame.picture) != 0)
+            return "another picture than on another cpu";
+    }
     frame.width = width;
     frame.height = height;
     costs->frames = model_grow(costs->frames, costs->frame_count, &costs->frame_room, sizeof frame);

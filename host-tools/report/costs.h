@@ -2,7 +2,8 @@
 /*
  * What methods cost on a device, counted elsewhere (`make report`) and read from CSV files:
  *
- *     cpu,scene,method,width,height,format,instructions    one frame, clear included
+ *     cpu,scene,method,width,height,format,instructions,picture
+ *                                                          one frame, clear included; its picture's hash, of each cpu
  *     cpu,method,bytes                                     flash of a program that draws by that method alone
  *     cpu,scene,budget_q8,instructions                     one frame by auto within that budget, Q8 of 1/255
  *     cpu,scene,power,exponent,instructions                one frame by x with that form of the highlight's power
@@ -24,6 +25,7 @@ struct costs_frame {
     enum costs_cpu cpu;
     unsigned width, height;
     uint32_t instructions;
+    char picture[16]; /* a hash, the same on every cpu */
     unsigned line;
 };
 

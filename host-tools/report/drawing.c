@@ -9,6 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define DRAWING_TABLES 4 /* as tests/device/bench.c counts instructions */
+
 /* A display that keeps the picture. */
 struct drawing_keeper {
     struct hal_display display;
@@ -37,6 +39,7 @@ int drawing_make(uint8_t *pixels, const struct scene_header *scene, const char *
                                            .band_rows = camera->reference_height,
                                            .format = how->colour ? GLINT_RGB888 : GLINT_GREY8,
                                            .power = how->power,
+                                           .tables = DRAWING_TABLES,
                                            .budget = how->budget_q8}};
     double milliseconds = 0;
     int code = renderer_open(&renderer, scene);

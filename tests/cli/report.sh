@@ -6,11 +6,11 @@ tiny=$scenes/tiny.json
 
 # Costs by which x takes more than phong, which is more exact: x is beaten there, and nothing else is.
 costs() {
-    echo cpu,scene,method,width,height,format,instructions
+    echo cpu,scene,method,width,height,format,instructions,picture
     for cpu in m3 m0plus; do
-        echo "$cpu,tiny,gouraud,96,72,grey8,1111000"
-        echo "$cpu,tiny,phong,96,72,grey8,2222000"
-        echo "$cpu,tiny,x,96,72,grey8,3333000"
+        echo "$cpu,tiny,gouraud,96,72,grey8,1111000,0a1"
+        echo "$cpu,tiny,phong,96,72,grey8,2222000,0a2"
+        echo "$cpu,tiny,x,96,72,grey8,3333000,0a3"
     done
 }
 flash() {
@@ -197,6 +197,7 @@ bad() { # NAME FILE SED-SCRIPT MESSAGE
 bad 'a missing frame' costs.csv '/m3,tiny,x/d' '^costs\.csv: no line for tiny by x on m3$'
 bad 'a missing program' flash.csv '/m0plus,phong/d' '^flash\.csv: no line for phong on m0plus$'
 bad 'a frame of another size' costs.csv 's/x,96,72/x,96,96/' '^costs\.csv:4: 96x96, but tiny is 96x72$'
+bad 'another picture on another cpu' costs.csv '5s/0a1/0b1/' '^costs\.csv:5: another picture than on another cpu$'
 bad 'a frame of another format' costs.csv '3s/grey8/rgb565/' '^costs\.csv:3: the format is not grey8$'
 bad 'a method that there is not' costs.csv '2s/gouraud/goraud/' '^costs\.csv:2: no such method'
 bad 'a cpu that there is not' flash.csv '4s/m3/m4/' '^flash\.csv:4: the cpu is neither m3 nor m0plus$'

@@ -2,18 +2,21 @@
 /*
  * Draws the common benchmark (320x240, RGB565, 16-bit depth, clear included) and counts instructions.
  *   bench                                every scene, principal method and band count: one CSV line each
- *   bench grey8                          every scene by every method, one frame in 8-bit grey at the camera's size
- *   bench budget                         every scene by auto within each of some budgets, likewise
+ *   bench grey8|rgb888 [METHOD...]       every scene by every method, or those, one frame at the camera's size, with
+ *                                        tables; the last number is the picture's, the same on every CPU
+ *   bench budget                         every scene by auto within each of some budgets, likewise in 8-bit grey
  *   bench power                          the first scene by x, likewise, with each form and some exponents of the
  *                                        highlight's power
- *   bench SCENE METHOD BANDS TABLES N    one of them, N frames, nothing printed: for profilers, which look at the calls
+ *   bench SCENE METHOD BANDS TABLES N [grey8|rgb888]
+ *                                        one of them, N frames, nothing printed: for profilers, which look at the calls
  *                                        of bench_frame()
+ * An argument budget=N sets auto's, in 1/255.
  */
 #include "scene/scene.h"
 #include "tests/device/program.h"
 
 #define MEMORY         (1536u * 1024u)
-#define BAND           (320u * 240u * 2u) /* bytes */
+#define BAND           (320u * 240u * 3u) /* bytes */
 #define BLOB           (128u * 1024u)     /* bytes: a scene whose exponents are changed */
 #define COUNT(array)   (sizeof array / sizeof array[0])
 #define CALIBRATE_TURN 1000000u
@@ -29,6 +32,7 @@ static const struct {
 static const uint16_t exponents[] = {5, 20, 50, 200};
 static const uint16_t budgets[] = {1 << 7, 1 << 8, 2 << 8, 4 << 8, 8 << 8, 16 << 8, 32 << 8};
 
+static uint16_t bench_budget; /* of auto, Q8 in 1/255; 0: its default */
 static uint32_t bench_memory[MEMORY / 4], bench_band[BAND / 4], bench_blob[BLOB / 4];
 
 int bench_frame(struct glint_frame *frame, const void *scene, uint32_t time_ms);
@@ -53,6 +57,7 @@ static int bench_init(struct glint_frame *frame, struct glint_config *config, co
     config->format = (uint8_t)format;
     config->method = method->method;
     config->power = power;
+    config->budget = bench_budget;
     config->tables = tables;
     config->band_rows = (uint16_t)((config->height + bands - 1) / bands);
     glint_fit_stores(config, scene);
@@ -84,26 +89,33 @@ static int bench_complain(const char *scene, const char *method, int error)
     return 1;
 }
 
-/* The cost of one frame that holds every triangle; `budget` is auto's, Q8, 0: the default. */
+/* The cost of one frame that holds every triangle, of many in a row: tables were filled by the one before. */
 static int bench_cost(const void *blob, const struct glint_choice *method, const struct glint_power *power,
-                      uint16_t budget, struct glint_config *config, uint32_t *instructions)
+                      enum glint_format format, struct glint_config *config, uint32_t *instructions)
 {
     struct glint_frame frame;
-    int error = bench_init(&frame, config, blob, method, power, GLINT_GREY8, 1, 0);
-    if (error == 0)
-        glint_set_budget(&frame, budget);
-    program_count_start();
-    if (error == 0)
+    int error = bench_init(&frame, config, blob, method, power, format, 1, 4);
+    for (int i = 0; i < 2 && error == 0; i++) {
+        program_count_start();
         error = bench_frame(&frame, blob, 0);
-    *instructions = program_count();
+        *instructions = program_count();
+    }
     return error == 0 && frame.stats.dropped ? GLINT_E_MEMORY : error;
 }
 
-static int bench_grey(const struct program_scene *scene, const struct glint_choice *method)
+static uint32_t bench_hash(const struct glint_config *config)
+{
+    uint32_t hash = 2166136261u;
+    for (uint32_t i = 0; i < glint_band_bytes(config); i++)
+        hash = (hash ^ ((const uint8_t *)bench_band)[i]) * 16777619u;
+    return hash;
+}
+
+static int bench_whole(const struct program_scene *scene, const struct glint_choice *method, enum glint_format format)
 {
     struct glint_config config;
-    uint32_t instructions;
-    int error = bench_cost(scene->blob, method, 0, 0, &config, &instructions);
+    uint32_t instructions = 0;
+    int error = bench_cost(scene->blob, method, 0, format, &config, &instructions);
     if (error != 0)
         return bench_complain(scene->name, method->name, error);
     struct line line = {.length = 0};
@@ -114,18 +126,21 @@ static int bench_grey(const struct program_scene *scene, const struct glint_choi
     line_decimal(&line, config.width);
     line_text(&line, ",");
     line_decimal(&line, config.height);
-    line_text(&line, ",grey8,");
+    line_text(&line, format == GLINT_GREY8 ? ",grey8," : ",rgb888,");
     line_decimal(&line, instructions);
+    line_text(&line, ",");
+    line_hex(&line, bench_hash(&config));
     line_end(&line);
     return 0;
 }
 
-static int bench_budget(const struct program_scene *scene, uint16_t budget)
+static int bench_within(const struct program_scene *scene, uint16_t budget)
 {
     static const struct glint_choice method = {"auto", &glint_auto};
     struct glint_config config;
-    uint32_t instructions;
-    int error = bench_cost(scene->blob, &method, 0, budget, &config, &instructions);
+    uint32_t instructions = 0;
+    bench_budget = budget;
+    int error = bench_cost(scene->blob, &method, 0, GLINT_GREY8, &config, &instructions);
     if (error != 0)
         return bench_complain(scene->name, method.name, error);
     struct line line = {.length = 0};
@@ -158,7 +173,7 @@ static int bench_power(const struct program_scene *scene, unsigned exponent, uns
     uint32_t instructions = 0;
     int error = *scene->length > sizeof bench_blob ? GLINT_E_MEMORY : 0;
     if (error == 0)
-        error = bench_cost(bench_sharpen(scene, exponent), &x, powers[form].power, 0, &config, &instructions);
+        error = bench_cost(bench_sharpen(scene, exponent), &x, powers[form].power, GLINT_GREY8, &config, &instructions);
     if (error != 0)
         return bench_complain(scene->name, powers[form].name, error);
     struct line line = {.length = 0};
@@ -223,11 +238,38 @@ static void bench_calibrate(void)
 #endif
 }
 
-static int bench_run(const struct program_scene *scene, const struct glint_choice *method, char **argv)
+/* Whether a method is among those named, or none is. */
+static int bench_asked(const char *method, int argc, char **argv)
+{
+    int asked = argc == 2;
+    for (int i = 2; i < argc; i++)
+        asked |= text_equal(argv[i], method);
+    return asked;
+}
+
+/* `budget=N`, in 1/255, among the arguments. */
+static void bench_find_budget(int argc, char **argv)
+{
+    static const char name[] = "budget=";
+    for (int i = 1; i < argc; i++) {
+        unsigned k = 0;
+        while (name[k] && argv[i][k] == name[k])
+            k++;
+        if (!name[k])
+            bench_budget = (uint16_t)(text_number(argv[i] + k) << 8);
+    }
+}
+
+static enum glint_format bench_format(const char *name)
+{
+    return !name ? GLINT_RGB565 : text_equal(name, "grey8") ? GLINT_GREY8 : GLINT_RGB888;
+}
+
+static int bench_run(const struct program_scene *scene, const struct glint_choice *method, int argc, char **argv)
 {
     struct glint_config config;
     struct glint_frame frame;
-    if (bench_init(&frame, &config, scene->blob, method, 0, GLINT_RGB565, text_number(argv[3]),
+    if (bench_init(&frame, &config, scene->blob, method, 0, bench_format(argc > 6 ? argv[6] : 0), text_number(argv[3]),
                    (uint8_t)text_number(argv[4])) != 0)
         return 1;
     for (uint32_t i = text_number(argv[5]); i; i--)
@@ -239,16 +281,19 @@ static int bench_run(const struct program_scene *scene, const struct glint_choic
 int program_main(int argc, char **argv)
 {
     int bad = 0;
-    if (argc == 2 && text_equal(argv[1], "grey8")) {
+    bench_find_budget(argc, argv);
+    if (argc >= 2 && (text_equal(argv[1], "grey8") || text_equal(argv[1], "rgb888"))) {
+        const enum glint_format format = bench_format(argv[1]);
         for (unsigned s = 0; s < program_scene_count; s++)
             for (unsigned m = 0; m < glint_choice_count; m++)
-                bad |= bench_grey(&program_scenes[s], &glint_choices[m]);
+                if (bench_asked(glint_choices[m].name, argc, argv))
+                    bad |= bench_whole(&program_scenes[s], &glint_choices[m], format);
         return bad;
     }
     if (argc == 2 && text_equal(argv[1], "budget")) {
         for (unsigned s = 0; s < program_scene_count; s++)
             for (unsigned b = 0; b < COUNT(budgets); b++)
-                bad |= bench_budget(&program_scenes[s], budgets[b]);
+                bad |= bench_within(&program_scenes[s], budgets[b]);
         return bad;
     }
     if (argc == 2 && text_equal(argv[1], "power")) {
@@ -269,7 +314,7 @@ int program_main(int argc, char **argv)
     for (unsigned s = 0; s < program_scene_count; s++)
         for (unsigned m = 0; m < glint_choice_count; m++)
             if (text_equal(argv[1], program_scenes[s].name) && text_equal(argv[2], glint_choices[m].name))
-                return bench_run(&program_scenes[s], &glint_choices[m], argv);
+                return bench_run(&program_scenes[s], &glint_choices[m], argc, argv);
     program_write("bench: no such scene or method\n");
     return 2;
 }

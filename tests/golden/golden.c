@@ -33,7 +33,8 @@ static const struct golden_format formats[] = {
     {"rgb888", GLINT_RGB888, 0, 0},       {"grey8", GLINT_GREY8, 0, 0},
     {"grey4", GLINT_GREY4, 0, 0},         {"grey4-dither", GLINT_GREY4, 0, GLINT_DITHER},
 #ifndef GOLDEN_SMALL
-    {"rgb565-table", GLINT_RGB565, 4, 0},
+    {"rgb565-table", GLINT_RGB565, 4, 0}, {"rgb888-table", GLINT_RGB888, 4, 0},
+    {"grey8-table", GLINT_GREY8, 4, 0},
 #endif
 };
 
@@ -49,7 +50,8 @@ static int golden_wants(const struct glint_choice *method, const struct golden_f
 {
     static const struct glint_method *const all[] = {&glint_flat, &glint_gouraud, &glint_x, &glint_phong};
     if (format->tables)
-        return method->method == &glint_x || method->method == &glint_six;
+        return method->method == &glint_x || method->method == &glint_six ||
+               (method->method == &glint_duff && format->format == GLINT_GREY8);
     int wanted = !format->flags && (format->format == GLINT_RGB565 || format->format == GLINT_GREY8);
     for (unsigned i = 0; i < COUNT(all); i++)
         wanted |= method->method == all[i];

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 # profile.sh QEMU IMAGE SCENE METHOD BANDS TABLES FRAME: instructions of one frame (1: the first, 2: the one after) by
 # function, counted by letting QEMU log every instruction. LINES=1: by source line too, those that inlining brought
-# included; FUNCTION=name: that function's disassembly with a count beside each instruction.
+# included; ARGUMENTS: more for the
+# program, as "grey8 budget=8"; FUNCTION=name: that function's disassembly with a count beside each instruction.
 set -eu
 qemu=$1 image=$2 scene=$3 method=$4 bands=$5 tables=$6 frame=$7
 arm="arm-none-eabi-"
@@ -16,7 +17,7 @@ main_end=$(printf '%08x' $((0x$main + 0x$size)))
 # A line is `Trace 0: <host address> [<flags>/<pc>/...] <symbol>`. bench_frame() is entered at its first instruction and
 # left when program_main() goes on.
 # shellcheck disable=SC2086
-$qemu "$image" -append "$scene $method $bands $tables $frame" -singlestep -d exec,nochain -D /dev/stderr 2>&1 >/dev/null |
+$qemu "$image" -append "$scene $method $bands $tables $frame ${ARGUMENTS-}" -singlestep -d exec,nochain -D /dev/stderr 2>&1 >/dev/null |
     awk -F / -v begin="$begin" -v main="$main" -v main_end="$main_end" -v frame="$frame" '
         { pc = "@" $2 } # never a number: 000012e4 would be one
         pc == "@" begin { inside = ++entered == frame }

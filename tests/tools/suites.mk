@@ -90,7 +90,7 @@ $(BUILD)/report/$(3).csv: $(REPORT_CPUS:%=$(BUILD)/report/%-$(2).csv)
 	$$(Q){ echo $(subst |,$(comma),$(1)); cat $$^; } >$$@
 endef
 comma := ,
-$(eval $(call report_rule,cpu|scene|method|width|height|format|instructions,grey8,costs))
+$(eval $(call report_rule,cpu|scene|method|width|height|format|instructions|picture,grey8,costs))
 $(eval $(call report_rule,cpu|scene|power|exponent|instructions,power,powers))
 $(eval $(call report_rule,cpu|scene|budget_q8|instructions,budget,budgets))
 

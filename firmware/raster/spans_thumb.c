@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * pixels_plain() and the start values of its spans, in Thumb instructions of ARMv6-M. One text, of which each case
- * takes its part; the bits are those of the C in pixels.h, which the goldens of a Cortex-M0+ show.
+ * The loops of spans.h and the start values of their spans, in Thumb instructions of ARMv6-M. One text, of which each case
+ * takes its part; the bits are those of the C in spans.h, which the goldens of a Cortex-M0+ show.
  */
-#include "raster/pixels.h"
+#include "raster/spans_hand.h"
 
 #include <stddef.h>
 
-#if PIXELS_BY_HAND
+#if SPANS_BY_HAND
+_Static_assert(TABLE_BITS == 10, "the shifts of GREY()");
 _Static_assert(sizeof(struct channel) == 28 && offsetof(struct channel, p) == 4 && sizeof(struct span) == 4,
                "what is read by address");
 _Static_assert(offsetof(struct shade_setup, channel) == offsetof(struct shade_setup, depth) + 28, "channels in a row");
-_Static_assert(offsetof(struct pixels_rows, hidden) == 40, "the words of struct pixels_rows");
+_Static_assert(offsetof(struct spans_hand, hidden) == 40, "the words of struct spans_hand");
 
 /* On the stack: the rows; N.L, its first and its second difference, while N.H is made. */
 #define ENTER            \
@@ -179,31 +180,83 @@ _Static_assert(offsetof(struct pixels_rows, hidden) == 40, "the words of struct 
     "lsrs r5, r5, #25\n"    \
     "b 3b\n"
 
-__attribute__((naked)) void pixels_rows_diffuse(struct pixels_rows *rows)
+__attribute__((naked)) void spans_hand_diffuse(struct spans_hand *rows)
 {
     (void)rows;
     __asm__(ENTER LEAVE NEXT_ROW LINEAR ARRANGE_DIFFUSE TEST STORE NEXT_PIXEL);
 }
 
-__attribute__((naked)) void pixels_rows_both(struct pixels_rows *rows)
+__attribute__((naked)) void spans_hand_both(struct spans_hand *rows)
 {
     (void)rows;
     __asm__(ENTER LEAVE NEXT_ROW LINEAR KEEP LINEAR ARRANGE_BOTH TEST HIGHLIGHT STORE
             "add r1, r11\n" NEXT_PIXEL CLAMP_HIGHLIGHT);
 }
 
-__attribute__((naked)) void pixels_rows_diffuse_quadratic(struct pixels_rows *rows)
+__attribute__((naked)) void spans_hand_diffuse_quadratic(struct spans_hand *rows)
 {
     (void)rows;
     __asm__(ENTER LEAVE NEXT_ROW QUADRATIC ARRANGE_DIFFUSE TEST STORE "add r10, r12\n" NEXT_PIXEL);
 }
 
-__attribute__((naked)) void pixels_rows_both_quadratic(struct pixels_rows *rows)
+__attribute__((naked)) void spans_hand_both_quadratic(struct spans_hand *rows)
 {
     (void)rows;
     __asm__(ENTER LEAVE NEXT_ROW QUADRATIC KEEP QUADRATIC ARRANGE_BOTH TEST HIGHLIGHT STORE
             "add r10, r12\n"
             "add r1, r11\n"
             "add r11, lr\n" NEXT_PIXEL CLAMP_HIGHLIGHT);
+}
+
+/* 8-bit grey: N.H by 2^TABLE_BITS steps, and clamped sums. */
+#define GREY(second_l, second_h)                                      \
+    "ldr r7, [sp]\n"                                                  \
+    "ldr r6, [r7, #28]\n"                                             \
+    "ldr r7, [r7, #32]\n"                                             \
+    "1: ldrh r4, [r0]\n"                                              \
+    "lsrs r5, r3, #16\n"                                              \
+    "cmp r5, r4\n"                                                    \
+    "bls 7f\n"                                                        \
+    "strh r5, [r0]\n"                                                 \
+    "lsrs r4, r1, #30\n"                                              \
+    "bne 6f\n"                                                        \
+    "lsrs r4, r1, #20\n"                                              \
+    "3: lsls r4, r4, #1\n"                                            \
+    "ldrh r4, [r4, r6]\n"                                             \
+    "asrs r5, r2, #15\n"                                              \
+    "bmi 5f\n"                                                        \
+    "adds r4, r4, r5\n"                                               \
+    "5: lsrs r4, r4, #7\n"                                            \
+    "cmp r4, #255\n"                                                  \
+    "bhi 8f\n"                                                        \
+    "2: lsrs r5, r0, #1\n"                                            \
+    "strb r4, [r5, r7]\n"                                             \
+    "4: add r3, r8\n"                                                 \
+    "add r2, r10\n" second_l "add r1, r11\n" second_h "adds r0, #2\n" \
+    "cmp r0, r9\n"                                                    \
+    "bne 1b\n"                                                        \
+    "b 10b\n"                                                         \
+    "6: asrs r4, r1, #31\n"                                           \
+    "mvns r4, r4\n"                                                   \
+    "lsrs r4, r4, #22\n"                                              \
+    "b 3b\n"                                                          \
+    "8: movs r4, #255\n"                                              \
+    "b 2b\n"                                                          \
+    "7: ldr r4, [sp]\n"                                               \
+    "ldr r5, [r4, #40]\n"                                             \
+    "adds r5, #1\n"                                                   \
+    "str r5, [r4, #40]\n"                                             \
+    "b 4b\n"
+
+__attribute__((naked)) void spans_hand_grey(struct spans_hand *rows)
+{
+    (void)rows;
+    __asm__(ENTER LEAVE NEXT_ROW LINEAR KEEP LINEAR ARRANGE_BOTH GREY("", ""));
+}
+
+__attribute__((naked)) void spans_hand_grey_quadratic(struct spans_hand *rows)
+{
+    (void)rows;
+    __asm__(ENTER LEAVE NEXT_ROW QUADRATIC KEEP QUADRATIC ARRANGE_BOTH GREY("add r10, r12\n", "add r11, lr\n"));
 }
 #endif

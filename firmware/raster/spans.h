@@ -1,0 +1,298 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * The spans of a triangle in one pass: depth test, value, store. A template, of which each case is a function of its
+ * own: spans_draw() with a constant `kind`, one bit of the output's format and those of what stands at a pixel.
+ *
+ * Depth and channels are stepped by differences from exact values at each span's first pixel, modulo 2^32, so that a
+ * pixel depends on its triangle and place alone. A linear case carries what a row begins with from row to row; for
+ * quadratic ones that would cost more than it saves, as half of a dense mesh's rows hold no pixel.
+ *
+ * What channels count in, where kind has
+ *   SPANS_COLOUR     finished colours, Q24 steps
+ *   RGB565           N.L in Q30 from half a table's step before 0
+ *   GREY8            N.L in Q22 steps of the output (shade/steps.h)
+ *   RGB888           N.L in Q30
+ *   SPANS_HIGHLIGHT  N.H from the foot of the power, in Q30 of the span from there to 1 within [-2, 2), or with
+ *                    SPANS_WIDE in Q30
+ *   SPANS_LENGTH     N.L and N.H are to be divided by the normal's length, whose square channel SHADE_SQUARE holds less
+ *                    than 1: 1 - |N|^2 in Q30, below 1/4
+ */
+#ifndef GLINT_SPANS_H
+#define GLINT_SPANS_H
+
+#include "raster/raster.h"
+
+enum spans_kind {
+    /* the format: 565, or */
+    SPANS_GREY8 = 1,
+    SPANS_RGB888 = 2,
+    /* the pixel: one colour, or */
+    SPANS_COLOUR = 4,      /* finished colours, stepped */
+    SPANS_PLAIN = 8,       /* grey: N.L, ambient part included, nowhere outside the format */
+    SPANS_DIFFUSE = 16,    /* N.L, clamped below */
+    SPANS_HIGHLIGHT = 32,  /* N.H by the material's table */
+    SPANS_QUADRATIC = 64,  /* any of them bends */
+    SPANS_WIDE = 128,      /* see above */
+    SPANS_POWER = 256,     /* grey: N.H, in Q30, by the scene's power table: no memory */
+    SPANS_LENGTH = 512,    /* grey: both over the length of the normal */
+};
+
+/* Whether channel 1 is stepped, and whether the third (blue, or SHADE_SQUARE). */
+#define SPANS_H(kind) \
+    (((kind) & SPANS_HIGHLIGHT) != 0 || (((kind) & SPANS_COLOUR) != 0 && ((kind) & SPANS_GREY8) == 0))
+#define SPANS_C(kind) \
+    (((kind) & SPANS_LENGTH) != 0 || (((kind) & SPANS_COLOUR) != 0 && ((kind) & SPANS_GREY8) == 0))
+
+/* What pixels are made of besides channels. */
+struct spans_look {
+    const uint16_t *table;   /* struct table's entries; SPANS_POWER: the power's */
+    const uint16_t *diffuse; /* RGB888: Q8 steps of each channel */
+    uint32_t colour;         /* one colour; else grey: the ambient part with the rounding half, Q7 steps */
+    uint32_t specular;       /* SPANS_POWER: Q8 steps */
+    uint32_t foot;           /* SPANS_LENGTH: of the power, Q30 */
+    unsigned down;           /* of N.H in Q30 to steps of the table */
+};
+
+/* Values at the first pixel, first differences, and second ones (0 where linear). c: blue, or 1 - |N|^2. */
+struct spans_values {
+    uint32_t z, l, h, c, dz, dl, dh, dc, al, ah, ac;
+};
+
+/* 1 / sqrt(1 - s) in Q15 in the middle of each of 2^9 steps of s in [0, 1/4). */
+#define SPANS_LENGTH_BITS 9
+extern const uint16_t spans_length[1 << SPANS_LENGTH_BITS];
+
+static inline __attribute__((always_inline)) uint32_t spans_grey(const struct spans_values *v,
+                                                                 const struct spans_look *look, unsigned kind)
+{
+    if (kind & SPANS_COLOUR)
+        return v->l >> 24;
+    if (kind & SPANS_PLAIN)
+        return v->l >> 22;
+    uint32_t sum = look->colour;
+    if (!(kind & (SPANS_DIFFUSE | SPANS_HIGHLIGHT)))
+        return sum;
+    uint32_t h = v->h, by = 0;
+    if (kind & SPANS_LENGTH) {
+        by = spans_length[fx_saturated(v->c, SPANS_LENGTH_BITS, 28 - SPANS_LENGTH_BITS)];
+        if (kind & SPANS_HIGHLIGHT) /* the quotient is at least -1, the foot below 1: within [-2, 2) in Q30 */
+            h = (uint32_t)((int32_t)h >> 15) * by - look->foot;
+    }
+    if (kind & SPANS_POWER) { /* powers are at most 2^15, the step's light below 2^16; the product in Q7 steps */
+        const uint32_t t = fx_saturated((uint32_t)((int32_t)h >> look->down), 22, 0);
+        const uint16_t *p = &look->table[t >> 15];
+        const uint32_t power = p[0] + ((uint32_t)(p[1] - p[0]) * (t & 0x7fff) >> 15);
+        sum += (power * look->specular >> 16) & ~(uint32_t)((int32_t)h >> 31); /* none below the foot */
+    } else if (kind & (SPANS_WIDE | SPANS_LENGTH) && kind & SPANS_HIGHLIGHT) {
+        sum = look->table[fx_saturated((uint32_t)((int32_t)h >> look->down), TABLE_BITS, 0)];
+    } else if (kind & SPANS_HIGHLIGHT) {
+        sum = look->table[fx_saturated(h, TABLE_BITS, 30 - TABLE_BITS)];
+    }
+    if (kind & SPANS_LENGTH) /* below 2^15 * 2^15.3 */
+        sum += fx_saturated(v->l, 15, 15) * by >> 15;
+    else if (kind & SPANS_DIFFUSE)
+        sum += fx_saturated(v->l, 16, 15);
+    return fx_saturated(sum, 8, 7);
+}
+
+static inline __attribute__((always_inline)) uint32_t spans_rgb565(const struct spans_values *v,
+                                                                   const struct spans_look *look, unsigned kind)
+{
+    if (kind & SPANS_COLOUR)
+        return v->l >> 24 << 11 | v->h >> 24 << 5 | v->c >> 24;
+    if (!(kind & (SPANS_DIFFUSE | SPANS_HIGHLIGHT)))
+        return look->colour;
+    const uint16_t *entry = look->table;
+    if (kind & SPANS_WIDE)
+        entry += fx_saturated((uint32_t)((int32_t)v->h >> look->down), 7, 0) * TABLE_DIFFUSE;
+    else if (kind & SPANS_HIGHLIGHT)
+        entry += fx_saturated(v->h, 7, 23) * TABLE_DIFFUSE;
+    if (kind & SPANS_DIFFUSE)
+        entry += fx_saturated(v->l, 6, 24);
+    return *entry;
+}
+
+static inline __attribute__((always_inline)) void spans_rgb888(uint8_t *pixel, const struct spans_values *v,
+                                                               const struct spans_look *look, unsigned kind)
+{
+    if (kind & SPANS_COLOUR) {
+        pixel[0] = (uint8_t)(v->l >> 24);
+        pixel[1] = (uint8_t)(v->h >> 24);
+        pixel[2] = (uint8_t)(v->c >> 24);
+    } else if (kind & SPANS_DIFFUSE) {
+        const uint16_t *entry = look->table;
+        if (kind & SPANS_WIDE)
+            entry += 4 * fx_saturated((uint32_t)((int32_t)v->h >> look->down), TABLE_BITS, 0);
+        else if (kind & SPANS_HIGHLIGHT)
+            entry += 4 * fx_saturated(v->h, TABLE_BITS, 30 - TABLE_BITS);
+        const uint32_t l = fx_saturated(v->l, 16, 15); /* times Q8 steps: below 2^32 */
+        for (int c = 0; c < 3; c++)
+            pixel[c] = (uint8_t)fx_saturated(entry[c] + (l * look->diffuse[c] >> 16), 8, 7);
+    } else {
+        pixel[0] = (uint8_t)(look->colour >> 16);
+        pixel[1] = (uint8_t)(look->colour >> 8);
+        pixel[2] = (uint8_t)look->colour;
+    }
+}
+
+static inline __attribute__((always_inline)) void spans_step(uint32_t *value, uint32_t *step, uint32_t second,
+                                                             int quadratic)
+{
+    fx_step(value, *step);
+    if (quadratic)
+        fx_step(step, second);
+}
+
+/*
+ * Pixels [at, end) of the band. *hidden counts those that are not the nearest; it stays in memory, as the loops need the
+ * registers. Pixel and depth have one pointer between them where their steps are powers of 2.
+ */
+FX_WRAPS static inline __attribute__((always_inline)) void spans_pixels(const struct raster *r, struct spans_values v,
+                                                                        uint32_t at, uint32_t end,
+                                                                        const struct spans_look *look,
+                                                                        volatile uint32_t *hidden, unsigned kind)
+{
+    const unsigned step = kind & SPANS_GREY8 ? 1 : 2; /* of what p counts: grey pixels, or depths */
+    uintptr_t p = (kind & SPANS_GREY8 ? (uintptr_t)r->pixels : (uintptr_t)r->depth) + step * (uintptr_t)at;
+    const uintptr_t last = p + step * (uintptr_t)(end - at);
+    uintptr_t other = kind & SPANS_GREY8    ? (uintptr_t)r->depth - 2 * (uintptr_t)r->pixels
+                      : kind & SPANS_RGB888 ? (uintptr_t)r->pixels + 3 * (uintptr_t)at
+                                            : (uintptr_t)r->pixels - (uintptr_t)r->depth;
+    const int quadratic = (kind & SPANS_QUADRATIC) != 0;
+    do {
+        if (kind & SPANS_GREY8)
+            __asm__("" : "+r"(other)); /* or compilers step the depth's address too */
+        uint16_t *depth = (uint16_t *)(kind & SPANS_GREY8 ? other + 2 * p : p);
+        const uint32_t nearer = v.z >> 16;
+        if (nearer > *depth) {
+            *depth = (uint16_t)nearer;
+            if (kind & SPANS_GREY8)
+                *(uint8_t *)p = (uint8_t)spans_grey(&v, look, kind);
+            else if (kind & SPANS_RGB888)
+                spans_rgb888((uint8_t *)other, &v, look, kind);
+            else
+                *(uint16_t *)(p + other) = (uint16_t)spans_rgb565(&v, look, kind);
+        } else {
+            *hidden = *hidden + 1;
+        }
+        fx_step(&v.z, v.dz);
+        if (kind & (SPANS_DIFFUSE | SPANS_PLAIN | SPANS_COLOUR))
+            spans_step(&v.l, &v.dl, v.al, quadratic && !(kind & SPANS_LENGTH));
+        if (SPANS_H(kind))
+            spans_step(&v.h, &v.dh, v.ah, quadratic && !(kind & SPANS_LENGTH));
+        if (SPANS_C(kind))
+            spans_step(&v.c, &v.dc, v.ac, quadratic);
+        if (kind & SPANS_RGB888)
+            other += 3;
+        p += step;
+    } while (p != last);
+}
+
+/* A channel's value and first difference at column i, row j of its origin. */
+FX_WRAPS static inline __attribute__((always_inline)) uint32_t spans_start(const struct polynomial *p, uint32_t i,
+                                                                           uint32_t j, uint32_t *step, int quadratic)
+{
+    if (!quadratic) {
+        *step = p->d;
+        return p->f + p->e * j + p->d * i;
+    }
+    const uint32_t d = p->d + p->c * j, ai = p->a * i;
+    *step = d + 2 * ai + p->a;
+    return p->f + (p->e + p->b * j) * j + (d + ai) * i;
+}
+
+/* The values at column i, row j. */
+FX_WRAPS static inline __attribute__((always_inline)) struct spans_values spans_at(const struct shade_setup *setup,
+                                                                                   uint32_t i, uint32_t j,
+                                                                                   unsigned kind)
+{
+    const struct polynomial *pl = &setup->channel[0].p, *ph = &setup->channel[1].p,
+                            *pc = &setup->channel[kind & SPANS_LENGTH ? SHADE_SQUARE : 2].p;
+    const int quadratic = (kind & SPANS_QUADRATIC) != 0, bends = quadratic && !(kind & SPANS_LENGTH);
+    struct spans_values v = {.al = 2 * pl->a, .ah = 2 * ph->a, .ac = 2 * pc->a};
+    v.z = spans_start(&setup->depth.p, i, j, &v.dz, 0);
+    if (kind & (SPANS_DIFFUSE | SPANS_PLAIN | SPANS_COLOUR))
+        v.l = spans_start(pl, i, j, &v.dl, bends);
+    if (SPANS_H(kind))
+        v.h = spans_start(ph, i, j, &v.dh, bends);
+    if (SPANS_C(kind))
+        v.c = spans_start(pc, i, j, &v.dc, quadratic);
+    return v;
+}
+
+/* Draws the set-up triangle over the band; returns the pixels that passed the depth test. */
+FX_WRAPS static inline __attribute__((always_inline)) uint32_t spans_draw(struct raster *r, struct edges *e,
+                                                                          struct spans_look look, unsigned kind)
+{
+    const struct shade_setup *setup = &r->setup;
+    const int quadratic = (kind & SPANS_QUADRATIC) != 0;
+    const uint32_t width = r->width, ox = (uint32_t)setup->plane.ox;
+    volatile uint32_t hidden = 0;
+    uint32_t j = (uint32_t)(e->row - setup->plane.oy), row = (uint32_t)(e->row - r->y0) * width, covered = 0;
+    struct spans_values v = spans_at(setup, 0u - ox, j, kind); /* linear: at the row's column 0 */
+    if (kind & SPANS_COLOUR) { /* to the nearest step */
+        v.l += 1u << 23;
+        v.h += 1u << 23;
+        v.c += 1u << 23;
+    }
+    const uint32_t ez = setup->depth.p.e, el = setup->channel[0].p.e, eh = setup->channel[1].p.e,
+                   ec = setup->channel[2].p.e;
+    do {
+        const struct span *span = r->span, *last = span + raster_spans(r, e);
+        for (; span != last; span++, row += width) {
+            const int32_t x = span->x0, n = span->x1 - x;
+            if (n > 0) {
+                struct spans_values first = v;
+                if (quadratic) {
+                    first = spans_at(setup, (uint32_t)x - ox, j, kind);
+                } else {
+                    first.z += v.dz * (uint32_t)x;
+                    first.l += v.dl * (uint32_t)x;
+                    first.h += v.dh * (uint32_t)x;
+                    first.c += v.dc * (uint32_t)x;
+                }
+                const uint32_t at = row + (uint32_t)x;
+                covered += (uint32_t)n;
+                spans_pixels(r, first, at, at + (uint32_t)n, &look, &hidden, kind);
+            }
+            if (quadratic) {
+                j++;
+            } else {
+                v.z += ez;
+                v.l += el;
+                v.h += eh;
+                v.c += ec;
+            }
+        }
+    } while (e->row < e->last);
+    return covered - hidden;
+}
+
+/* Before a highlight's channel is drawn: N.H from the foot of the power, and unless it is wide, of the span to 1. */
+void spans_highlight(struct raster *r);
+
+/*
+ * What draws with these loops. Each draws a set-up triangle without exact channels, of its format, without dither, and
+ * returns the pixels that passed the depth test. _constant: one colour, as raster_colour() has it; _colours: finished
+ * colours (shade_gouraud()); _dots: N.L and N.H of one light, as raster_draw_dots() finds them.
+ */
+uint32_t spans_rgb565_constant(struct raster *r, struct edges *e, uint32_t colour);
+uint32_t spans_rgb565_colours(struct raster *r, struct edges *e);
+uint32_t spans_rgb565_dots(struct raster *r, struct edges *e);
+uint32_t spans_grey8_constant(struct raster *r, struct edges *e, uint32_t colour);
+uint32_t spans_grey8_colours(struct raster *r, struct edges *e);
+uint32_t spans_grey8_dots(struct raster *r, struct edges *e);
+uint32_t spans_grey8_lengths(struct raster *r, struct edges *e); /* Duff's: setup->length */
+uint32_t spans_rgb888_constant(struct raster *r, struct edges *e, uint32_t colour);
+uint32_t spans_rgb888_colours(struct raster *r, struct edges *e);
+uint32_t spans_rgb888_dots(struct raster *r, struct edges *e);
+
+/* A case: none is inlined into another, so that each has all registers to itself. */
+#define SPANS_CASE(name, kind)                                                                                   \
+    FX_WRAPS static __attribute__((noinline)) uint32_t name(struct raster *r, struct edges *e,                   \
+                                                            const struct spans_look *look)                       \
+    {                                                                                                            \
+        return spans_draw(r, e, *look, kind);                                                                    \
+    }
+
+#endif
