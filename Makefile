@@ -159,7 +159,7 @@ deps-demo deps-view deps-test deps-linux:
 	$(Q)tests/tools/deps.sh $(@:deps-%=%)
 
 BOARD_DEPS := $(BOARD_SORT:board=test)
-image: deps-$(BOARD_DEPS) ## The handheld's program for BOARD=picosystem, or another of boards/: build/<board>/app.elf; METHODS="x duff" links these alone
+image: deps-$(BOARD_DEPS) ## The handheld's program for BOARD=picosystem, or another of boards/: build/<board>/app.elf; with SCENE="file..." or METHODS="x duff" own.elf, of these alone
 	$(Q)$(MAKE) --no-print-directory $(BOARD_SORT)-image
 
 run: deps-test ## Run it on the emulated BOARD; an RP2040 in a browser (SERVE=1), or SECONDS=3 KEYS="A@500 up@900-1500"

@@ -8,8 +8,9 @@ OBJ_$(1) := m0plus
 HAL_$(1) := $(RP2040_HAL) boards/rp2040.c boards/$(1)/board.c
 LINK_$(1) := boards/rp2040.ld
 EXTRA_$(1) := $(RP2040_BOOT2)
-IMAGE_$(1) := app.uf2
+IMAGE_$(1) := .uf2
 RUN_$(1) = $$(rp2040_run)
 SCENES_$(1) ?= $(RP2040_SCENES)
+FORMATS_$(1) := rgb565
 FLASH_$(1) := hal/rp2040/flash.sh
 endef

@@ -2,7 +2,8 @@
 /* A frame from begin to its last band. */
 #include "list.h"
 
-#include "raster/raster.h"
+#include "raster/effects.h"
+#include "raster/fogged.h"
 
 /* turn: the user's, or null. */
 FX_COLD static void add_object(struct glint_frame *f, const struct view *view, const struct scene_object *source,
@@ -45,13 +46,18 @@ static void begin_raster(struct raster *r, const struct glint_frame *f)
     r->input.plan = (struct shade_plan){0};
     r->surface.form = f->config.power;
     r->budget = f->config.budget ? f->config.budget : PLAN_BUDGET;
+    if (USES(USES_FOG))
+        fogged_begin(r, scene, f->config.method->choose && !f->config.method->object);
     r->input.surface = &r->surface;
+    r->gloss = r->sum[0];
+    r->input.texture = f->config.texture ? f->config.texture : GLINT_TEXTURE_PERSPECTIVE;
     r->input.colours = 0;
     r->input.sampled = f->config.power || scene->camera.viewer != VIEWER_INFINITE;
     for (unsigned i = 0; i < scene->light_count; i++)
         r->input.sampled |= scene_lights(scene)[i].kind == LIGHT_POINT;
     r->input.divides = scene->camera.kind == CAMERA_PERSPECTIVE;
     r->input.no_plan = (f->config.flags & GLINT_NO_PLAN) != 0;
+    r->input.every_zigzag = (f->config.flags & GLINT_EVERY_ZIGZAG) != 0;
 }
 
 void glint_turn(struct glint_frame *f, uint16_t yaw, uint16_t pitch)
@@ -112,6 +118,9 @@ static void take_material(struct raster *r, const struct scene_header *scene, un
 {
     r->surface_material = (uint16_t)material;
     surface_setup(&r->surface, scene, scene_materials(scene) + material, &r->palette);
+    effects_surface(r);
+    if (raster_effects(r))
+        r->surface.fold = 0; /* runs have N.L itself */
     table_find(r);
     r->input.tabled = r->surface_table != 0 && raster_is(r, GLINT_RGB565);
 }
@@ -122,12 +131,14 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     struct raster *r = f->raster;
     struct shade_input *in = &r->input;
     const struct object_state *object = &f->objects[ref->object];
-    const struct clipped_triangle *piece = ref->clipped ? &f->clipped[ref->index] : 0;
+    const struct clipped_triangle *piece = ref->kind & LIST_CLIPPED ? &f->clipped[ref->index] : 0;
     const struct scene_triangle *triangle = scene_at(f->scene, object->mesh->triangles);
     triangle += piece ? piece->source : ref->index;
     in->object = object;
     in->triangle = triangle;
     in->vertices = scene_at(f->scene, object->mesh->vertices);
+    if (USES(USES_TEXTURE | USES_BUMP))
+        in->uvs = scene_at(f->scene, object->mesh->uvs);
     in->weight = 0;
     /* Once a triangle and worth unrolling. */
     const uint32_t stride = f->vertex_stride;
@@ -140,10 +151,12 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     corner = records + triangle->corner[1] * stride;
     in->place[2] = corner;
     in->lights[2] = corner + VERTEX_LIGHTS;
-    if (piece)
-        gather_piece(r, piece);
     if (r->surface_material != triangle->material)
         take_material(r, f->scene, triangle->material);
+    if (USES(USES_TWO_SIDED) && ref->kind & LIST_TURNED)
+        shade_turn(&r->turned, in, f->config.method->vertex_words);
+    if (piece)
+        gather_piece(r, piece);
 }
 
 static uint32_t bits(unsigned set)
@@ -174,7 +187,9 @@ static void draw_triangle(struct glint_frame *f, const struct triangle_ref *ref)
     struct shade_setup *setup = &r->setup;
     struct edges edges;
     gather(f, ref);
-    if (method->choose)
+    if (USES(USES_FOG) && r->fog.kind && fogged_choose(r) == FOGGED_WHOLLY)
+        method = &fogged_wholly;
+    else if (method->choose)
         method = method->choose(r);
     f->stats.setups++;
     if (!edges_setup(&edges, in->place, r->width, r->height, r->y0, r->y1) ||
@@ -185,7 +200,9 @@ static void draw_triangle(struct glint_frame *f, const struct triangle_ref *ref)
     plane_linear(&setup->plane, depth, &setup->depth);
     setup->found[0] = setup->found[1] = setup->found[2] = 0;
     method->setup(setup, in);
-    f->stats.pixels[method->id] += method->draw(r, &edges);
+    if (USES(USES_FOG) && raster_effects(r) & USES_FOG)
+        fogged_setup(r, method);
+    f->stats.pixels[method->id] += raster_effects(r) ? effects_triangle(r, &edges, method) : method->draw(r, &edges);
     if (ref->first < r->y0)
         return; /* counted with the band above */
     f->stats.drawn[method->id]++;

@@ -104,9 +104,22 @@ extern const struct glint_power glint_power_exact; /* rounded to nearest, slow *
  */
 extern const struct glint_power glint_power_4, glint_power_8, glint_power_16;
 
+/* How texture coordinates are interpolated over a triangle (shade/uv.h). */
+enum glint_texture {
+    GLINT_TEXTURE_DEFAULT, /* auto: by the plan; other methods: perspective */
+    GLINT_TEXTURE_AFFINE,
+    GLINT_TEXTURE_QUADRATIC,   /* through six true samples */
+    GLINT_TEXTURE_SPLIT,       /* the same, of triangles split where they err by more than the budget */
+    GLINT_TEXTURE_PERSPECTIVE, /* a reciprocal a pixel */
+    GLINT_TEXTURES
+};
+
 /* flags */
 #define GLINT_DITHER  1u /* ordered 4x4 dither for RGB565 and GREY4 */
 #define GLINT_NO_PLAN 2u /* compute every effect, even those that cannot show; the picture is the same */
+/* biquadratic: on every edge that passes the paper's test, not only where the triangles at it confirm an inflection.
+ * That is for comparison: on a teapot it darkens spots of spout and handle. */
+#define GLINT_EVERY_ZIGZAG 4u
 
 struct glint_config {
     uint16_t width, height; /* of the picture, 1..2048 */
@@ -115,6 +128,7 @@ struct glint_config {
     uint8_t flags;          /* GLINT_DITHER, GLINT_NO_PLAN */
     const struct glint_method *method;
     const struct glint_power *power; /* null: the table */
+    uint8_t texture;                 /* enum glint_texture */
 
     void *band[2]; /* glint_band_bytes() each, aligned to 4; band[1] may be null: then band[0] serves every time */
     void *memory;  /* glint_memory_needed() bytes, aligned as a pointer, untouched by the caller until the last frame */

@@ -5,17 +5,23 @@
 #include "geometry/project.h"
 #include "raster/raster.h"
 
-/* Notes a triangle to be drawn if it faces the eye and covers a pixel's row and column of the picture. */
+/* Notes a triangle to be drawn if it faces the eye, or has two sides, and covers a pixel's row and column of the
+ * picture.
+ */
 static inline void list_triangle(struct glint_frame *f, const int16_t *const p[3], unsigned object, unsigned index,
-                                 int clipped)
+                                 unsigned kind, int two_sided)
 {
     /* Differences of |p| <= GUARD are at most 2^15: products 2^30, the determinant at most 2^30. Front faces are
      * counter-clockwise with y up, so negative with y down. */
     int32_t x0 = p[0][VERTEX_X], y0 = p[0][VERTEX_Y];
     int32_t x1 = p[1][VERTEX_X] - x0, y1 = p[1][VERTEX_Y] - y0, x2 = p[2][VERTEX_X] - x0, y2 = p[2][VERTEX_Y] - y0;
-    if (x1 * y2 - x2 * y1 >= 0) {
-        f->stats.culled++;
-        return;
+    const int32_t determinant = x1 * y2 - x2 * y1;
+    if (determinant >= 0) {
+        if (!two_sided || determinant == 0) {
+            f->stats.culled++;
+            return;
+        }
+        kind |= LIST_TURNED;
     }
     int32_t top = y1 < y2 ? y1 : y2, bottom = y1 > y2 ? y1 : y2, left = x1 < x2 ? x1 : x2, right = x1 > x2 ? x1 : x2;
     int32_t down = y0 + 8 * f->config.height, across = x0 + 8 * f->config.width;
@@ -38,7 +44,7 @@ static inline void list_triangle(struct glint_frame *f, const int16_t *const p[3
     struct triangle_ref *ref = &f->triangles[f->triangle_count++];
     ref->index = (uint16_t)index;
     ref->object = (uint8_t)object;
-    ref->clipped = (uint8_t)clipped;
+    ref->kind = (uint8_t)kind;
     ref->first = (uint16_t)first;
     ref->last = (uint16_t)last;
 }
@@ -72,7 +78,7 @@ static int apex_of(const struct clip_polygon *polygon, int16_t (*place)[3])
 }
 
 FX_COLD static void store_piece(struct glint_frame *f, const struct clip_polygon *polygon, int16_t (*place)[3],
-                                const int corners[3], unsigned object, unsigned source)
+                                const int corners[3], unsigned object, unsigned source, unsigned kind)
 {
     struct clipped_triangle *piece = &f->clipped[f->clipped_count];
     piece->source = (uint16_t)source;
@@ -88,27 +94,47 @@ FX_COLD static void store_piece(struct glint_frame *f, const struct clip_polygon
     }
     const int16_t *const p[3] = {piece->place[0], piece->place[1], piece->place[2]};
     unsigned before = f->triangle_count;
-    list_triangle(f, p, object, f->clipped_count, 1);
+    list_triangle(f, p, object, f->clipped_count, kind, 0);
     f->clipped_count = (uint16_t)(f->clipped_count + (f->triangle_count - before));
 }
 
-/* Rare, so kept out of the loop that calls it. */
-FX_COLD static void clip(struct glint_frame *f, const struct transform *transform, const struct scene_vertex *vertices,
-                         const struct scene_triangle *triangle, unsigned object, unsigned source)
+/* A triangle that may have to be cut. */
+struct candidate {
+    const struct scene_vertex *vertices; /* of its mesh */
+    const struct scene_triangle *triangle;
+    unsigned object, index; /* in the mesh */
+    int two_sided;
+};
+
+/* Twice the polygon's area, negative where its back is seen. The sum of fewer than eight turns, of which those that are
+ * not to the same side are slivers of rounding. */
+static int64_t area_of(const struct clip_polygon *polygon, int16_t (*place)[3])
+{
+    int64_t area = 0;
+    for (int i = 2; i < polygon->count; i++)
+        area += turn(place[0], place[i - 1], place[i]);
+    return area;
+}
+
+/* Clips a triangle, its corners in the order 0, 2, 1 for its back, and lists the pieces. Returns 0 and lists none if it
+ * is the other side that is seen, and to be drawn. */
+FX_COLD static int clip_side(struct glint_frame *f, const struct transform *transform, const struct candidate *from,
+                             int back)
 {
     struct clip_polygon *polygon = &f->raster->begin.polygon[0];
     int16_t(*place)[3] = f->raster->begin.place;
     polygon->count = 3;
     for (int k = 0; k < 3; k++) {
         struct clip_corner *corner = &polygon->corner[k];
-        corner->eye = transform_point(transform, vertices[triangle->corner[k]].position);
+        const unsigned vertex = from->triangle->corner[back && k ? 3 - k : k];
+        corner->eye = transform_point(transform, from->vertices[vertex].position);
         for (int i = 0; i < 3; i++)
             corner->weight[i] = i == k ? Q30(1, 1) : 0;
     }
     clip_triangle(transform, polygon, &f->raster->begin.polygon[1]);
     if (polygon->count < 3) {
         f->stats.rejected++;
-        return;
+        return 1;
     }
     int fits = 1;
     for (int k = 0; k < polygon->count; k++) {
@@ -118,20 +144,30 @@ FX_COLD static void clip(struct glint_frame *f, const struct transform *transfor
         place[k][VERTEX_Y] = point.y;
         place[k][VERTEX_DEPTH] = (int16_t)point.depth;
     }
+    if (fits && from->two_sided && !back && area_of(polygon, place) < 0)
+        return 0;
     /* All pieces or none. */
     const int pieces = polygon->count - 2;
     if (!fits || f->clipped_count + pieces > f->config.max_clipped ||
         f->triangle_count + pieces > f->config.max_triangles) {
         f->stats.dropped++;
-        return;
+        return 1;
     }
     f->stats.clipped++;
     const int apex = apex_of(polygon, place);
     for (int k = 1; k <= pieces; k++) {
         const int second = apex + k < polygon->count ? apex + k : apex + k - polygon->count;
         const int corners[3] = {apex, second, second + 1 < polygon->count ? second + 1 : 0};
-        store_piece(f, polygon, place, corners, object, source);
+        store_piece(f, polygon, place, corners, from->object, from->index, LIST_CLIPPED | (back ? LIST_TURNED : 0));
     }
+    return 1;
+}
+
+/* Rare, so kept out of the loop that calls it. */
+FX_COLD static void clip(struct glint_frame *f, const struct transform *transform, const struct candidate *from)
+{
+    if (!clip_side(f, transform, from, 0))
+        clip_side(f, transform, from, 1);
 }
 
 static int unplaced(const int16_t *const p[3])
@@ -139,21 +175,41 @@ static int unplaced(const int16_t *const p[3])
     return p[0][VERTEX_X] == VERTEX_UNPLACED || p[1][VERTEX_X] == VERTEX_UNPLACED || p[2][VERTEX_X] == VERTEX_UNPLACED;
 }
 
-void list_object(struct glint_frame *f, const struct transform *transform, unsigned index, int all_placed)
+/* A template: `sides` is constant, whether some material may have two. */
+static inline __attribute__((always_inline)) void list_each(struct glint_frame *f, const struct transform *transform,
+                                                            unsigned index, int all_placed, int sides)
 {
     const struct object_state *object = &f->objects[index];
     const struct scene_mesh *mesh = object->mesh;
+    const struct scene_material *materials = scene_materials(f->scene);
     const struct scene_triangle *triangle = scene_at(f->scene, mesh->triangles);
     const int16_t *records = list_record(f, object->first_vertex);
     const uint32_t stride = f->vertex_stride, count = mesh->triangle_count;
     for (uint32_t i = 0; i < count; i++, triangle++) {
         const int16_t *const p[3] = {records + triangle->corner[0] * stride, records + triangle->corner[1] * stride,
                                      records + triangle->corner[2] * stride};
-        if (!all_placed && unplaced(p))
-            clip(f, transform, scene_at(f->scene, mesh->vertices), triangle, index, i);
-        else
-            list_triangle(f, p, index, i, 0);
+        const int two_sided = sides && (materials[triangle->material].flags & MATERIAL_TWO_SIDED);
+        if (!all_placed && unplaced(p)) {
+            const struct candidate from = {scene_at(f->scene, mesh->vertices), triangle, index, i, two_sided};
+            clip(f, transform, &from);
+        } else {
+            list_triangle(f, p, index, i, 0, two_sided);
+        }
     }
+}
+
+FX_COLD static void list_two_sided(struct glint_frame *f, const struct transform *transform, unsigned index,
+                                   int all_placed)
+{
+    list_each(f, transform, index, all_placed, 1);
+}
+
+void list_object(struct glint_frame *f, const struct transform *transform, unsigned index, int all_placed)
+{
+    if (USES(USES_TWO_SIDED) && f->scene->effects & USES_TWO_SIDED)
+        list_two_sided(f, transform, index, all_placed);
+    else
+        list_each(f, transform, index, all_placed, 0);
 }
 
 /* A counting sort. */

@@ -6,10 +6,13 @@
 #include "geometry/transform.h"
 #include "glint.h"
 
+#define LIST_CLIPPED 1u /* a piece */
+#define LIST_TURNED  2u /* its back is seen */
+
 /* 8 bytes a triangle that may be drawn, and 2 for its place in the order of first rows. */
 struct triangle_ref {
-    uint16_t index; /* of the mesh's triangles; of the clipped store if `clipped` */
-    uint8_t object, clipped;
+    uint16_t index; /* of the mesh's triangles; of the clipped store if LIST_CLIPPED */
+    uint8_t object, kind;
     uint16_t first, last; /* rows [first, last) of the picture */
 };
 

@@ -209,6 +209,9 @@ FX_WRAPS static inline q30_t fx_cos(uint32_t turn)
     return fx_sin(turn + 0x40000000u);
 }
 
+/* 2^-x in Q16 of x in Q16: within 7.5 * 2^-16, 65536 at 0, and 0 from 18 on. */
+uint32_t fx_exp2_minus(uint32_t x_q16);
+
 /*
  * s^n over the part of [0, 1] where it shows: FX_POWER_STEPS equal steps over [1 - 2^-octave, 1], octave the largest
  * for which (1 - 2^-octave)^n < 2^-9; below that the power counts as 0.

@@ -89,13 +89,14 @@ struct highlighted_conditions highlighted_at(const struct object_state *object, 
     at.h1 = (int8_t)triple_sign(l, v, point->normal);
     at.h2 = (int8_t)h2_sign(vn, (uint64_t)inner(v, v), ln, (uint64_t)inner(l, l));
     at.away = ln < 0 && vn < 0;
+    at.towards = ln > 0 && vn > 0;
     return at;
 }
 
 struct highlighted_signs highlighted_signs(const struct object_state *object, unsigned lights,
                                            const struct highlighted_point *point)
 {
-    struct highlighted_signs signs = {0, 0, 0, 0, 0};
+    struct highlighted_signs signs = {0, 0, 0, 0, 0, 0};
     for (unsigned i = 0; i < lights; i++) {
         struct highlighted_conditions at = highlighted_at(object, i, point);
         signs.below1 |= (uint8_t)((at.h1 <= 0) << i);
@@ -103,11 +104,22 @@ struct highlighted_signs highlighted_signs(const struct object_state *object, un
         signs.below2 |= (uint8_t)((at.h2 <= 0) << i);
         signs.above2 |= (uint8_t)((at.h2 >= 0) << i);
         signs.away |= (uint8_t)(at.away << i);
+        signs.towards |= (uint8_t)(at.towards << i);
     }
     return signs;
 }
 
 _Static_assert(sizeof(struct highlighted_signs) <= 2 * HIGHLIGHTED_WORDS, "kept in a vertex record while testing");
+
+/* Which sides of a triangle may hold a highlight's centre. */
+static int16_t sides_of(const struct highlighted_signs *a, const struct highlighted_signs *b,
+                        const struct highlighted_signs *c, int backs)
+{
+    int16_t sides = highlighted_lights(a, b, c) ? HIGHLIGHTED_FRONT : 0;
+    if (backs && highlighted_centres(a, b, c) & ~(unsigned)(a->towards & b->towards & c->towards))
+        sides |= HIGHLIGHTED_BACK;
+    return sides;
+}
 
 void highlighted_mark(const struct object_state *object, const struct scene_header *scene, int16_t *records,
                       unsigned stride, struct glint_stats *stats)
@@ -116,6 +128,7 @@ void highlighted_mark(const struct object_state *object, const struct scene_head
     const struct scene_vertex *vertex = scene_at(scene, mesh->vertices);
     const struct scene_triangle *triangle = scene_at(scene, mesh->triangles);
     const unsigned lights = scene->light_count;
+    const int backs = USES(USES_TWO_SIDED) && scene->effects & USES_TWO_SIDED;
     int16_t *const words = records + VERTEX_LIGHTS + 2 * lights, *word = words;
     for (uint32_t n = mesh->vertex_count; n; n--, vertex++, word += stride) {
         struct highlighted_point point;
@@ -130,11 +143,13 @@ void highlighted_mark(const struct object_state *object, const struct scene_head
         int16_t *corner[3];
         for (int k = 0; k < 3; k++)
             corner[k] = words + triangle->corner[k] * stride;
-        if (!highlighted_lights((const void *)corner[0], (const void *)corner[1], (const void *)corner[2]))
+        const int16_t sides =
+            sides_of((const void *)corner[0], (const void *)corner[1], (const void *)corner[2], backs);
+        if (!sides)
             continue;
         stats->potentially_highlighted++;
         for (int k = 0; k < 3; k++)
-            corner[k][HIGHLIGHTED_WORDS] = 1;
+            corner[k][HIGHLIGHTED_WORDS] |= sides;
     }
     stats->highlight_tests += mesh->triangle_count;
     word = words;

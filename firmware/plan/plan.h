@@ -51,6 +51,7 @@ struct plan_surface {
     uint16_t budget; /* Q8 of 1/255 */
     uint8_t lights;
     uint8_t highlights; /* some light has one */
+    uint8_t sharp;      /* roundings of N.H in vertex records alone pass the budget: Duff does not do either */
     uint16_t full;      /* what all lights together may add before a channel is clamped, Q8 of 1/255 */
     int16_t foot;       /* N.H below which the power is 0, Q14 */
     struct {

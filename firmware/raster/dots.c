@@ -47,7 +47,7 @@ static inline __attribute__((always_inline)) void shade_channels(struct raster *
         }
         if (shade_specular(setup) >> l & 1) {
             find_values(r, x, y, n, 2 * l + 1, divide);
-            sum = r->sum[0];
+            sum = r->gloss;
             if (surface_form(s)) {
                 find_powers(r, n);
                 for (int i = 0; i < n; i++, sum += 3)
@@ -69,4 +69,9 @@ void dots_shade(struct raster *r, int x, int y, int n, dots_divide *divide)
         shade_channels(r, x, y, n, 1, divide);
     else
         shade_channels(r, x, y, n, 3, divide);
+}
+
+void dots_run(struct raster *r, int x, int y, int n)
+{
+    dots_shade(r, x, y, n, 0);
 }

@@ -8,7 +8,11 @@
 /* Turns what the channels hold for n pixels, in r->value[0], into the dot products in Q30; by r->divisor. */
 typedef void dots_divide(struct raster *r, int n);
 
-/* Fills r->sum for n pixels from (x, y); `divide` is null where the channels are the dot products. */
+/* Fills r->sum and adds to r->gloss for n pixels from (x, y); `divide` is null where the channels are the dot products.
+ */
 void dots_shade(struct raster *r, int x, int y, int n, dots_divide *divide);
+
+/* The same without: a method's `run`. */
+void dots_run(struct raster *r, int x, int y, int n);
 
 #endif

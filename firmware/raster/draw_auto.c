@@ -1,12 +1,29 @@
 /* SPDX-License-Identifier: MIT */
 /* The methods between which glint_auto chooses, a triangle each. */
-#include "raster/raster.h"
+#include "raster/dots.h"
 #include "shade/colour.h"
 
-static const struct glint_method dark = {GLINT_DARK, 0, 0, shade_constant, draw_flat, 0, 0};
-static const struct glint_method constant = {GLINT_CONSTANT, 0, 0, shade_constant, draw_flat, 0, 0};
-static const struct glint_method linear = {GLINT_LINEAR, 1, 0, shade_planned, raster_draw_dots, 0, 0};
-static const struct glint_method six = {GLINT_SIX, 1, 0, shade_planned, raster_draw_dots, 0, 0};
+static void constant_run(struct raster *r, int x, int y, int n)
+{
+    glint_flat.run(r, x, y, n);
+}
+
+static const struct glint_method dark = {
+    .id = GLINT_DARK, .setup = shade_constant, .draw = draw_flat, .run = constant_run};
+static const struct glint_method constant = {
+    .id = GLINT_CONSTANT, .setup = shade_constant, .draw = draw_flat, .run = constant_run};
+static const struct glint_method linear = {.id = GLINT_LINEAR,
+                                           .uses_tables = 1,
+                                           .setup = shade_planned,
+                                           .draw = raster_draw_dots,
+                                           .run = dots_run,
+                                           .colours = COLOURS_OF_DOTS};
+static const struct glint_method six = {.id = GLINT_SIX,
+                                        .uses_tables = 1,
+                                        .setup = shade_planned,
+                                        .draw = raster_draw_dots,
+                                        .run = dots_run,
+                                        .colours = COLOURS_OF_DOTS};
 
 static const struct glint_method *const rungs[PLAN_RUNGS] = {
     [PLAN_DARK] = &dark, [PLAN_CONSTANT] = &constant, [PLAN_GOURAUD] = &glint_gouraud,         [PLAN_LINEAR] = &linear,
@@ -30,4 +47,9 @@ static const struct glint_method *choose_planned(struct raster *r)
     return in->plan.rung == PLAN_PHONG && !in->divides ? &glint_phong : rungs[in->plan.rung];
 }
 
-const struct glint_method glint_auto = {GLINT_FLAT, 1, COLOUR_WORDS, shade_constant, draw_flat, 0, choose_planned};
+const struct glint_method glint_auto = {.id = GLINT_FLAT,
+                                        .uses_tables = 1,
+                                        .vertex_words = COLOUR_WORDS,
+                                        .setup = shade_constant,
+                                        .draw = draw_flat,
+                                        .choose = choose_planned};

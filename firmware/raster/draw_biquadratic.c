@@ -8,4 +8,8 @@ static uint32_t draw(struct raster *r, struct edges *e)
     return runs_draw(r, e, normals_run);
 }
 
-const struct glint_method glint_biquadratic = {GLINT_BIQUADRATIC, 0, 0, shade_biquadratic, draw, 0, 0};
+const struct glint_method glint_biquadratic = {.id = GLINT_BIQUADRATIC,
+                                               .setup = shade_biquadratic,
+                                               .draw = draw,
+                                               .run = normals_run,
+                                               .colours = COLOURS_OF_NORMALS};

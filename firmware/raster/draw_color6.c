@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "raster/runs.h"
+#include "raster/effects.h"
 #include "shade/colour.h"
 
 /* A channel's 2^16 stand for one of its units, of which a step has 2^(22 - bits): see shade_color6(). */
@@ -15,7 +15,8 @@ static void shade_run(struct raster *r, int x, int y, int n)
 
 uint32_t draw_color6(struct raster *r, struct edges *e)
 {
-    return runs_draw(r, e, shade_run);
+    return effects_runs(r, e, shade_run);
 }
 
-const struct glint_method glint_color6 = {GLINT_COLOR6, 0, COLOUR_WORDS, shade_color6, draw_color6, 0, 0};
+const struct glint_method glint_color6 = {
+    .id = GLINT_COLOR6, .vertex_words = COLOUR_WORDS, .setup = shade_color6, .draw = draw_color6, .run = shade_run};

@@ -46,4 +46,9 @@ uint32_t draw_duff(struct raster *r, struct edges *e)
     return runs_draw(r, e, shade_run);
 }
 
-const struct glint_method glint_duff = {GLINT_DUFF, 1, 0, shade_duff, draw_duff, 0, 0};
+const struct glint_method glint_duff = {.id = GLINT_DUFF,
+                                        .uses_tables = 1,
+                                        .setup = shade_duff,
+                                        .draw = draw_duff,
+                                        .run = shade_run,
+                                        .colours = COLOURS_OF_DOTS};

@@ -25,4 +25,4 @@ uint32_t draw_flat(struct raster *r, struct edges *e)
     return runs_draw(r, e, shade_run);
 }
 
-const struct glint_method glint_flat = {GLINT_FLAT, 0, 0, shade_flat, draw_flat, 0, 0};
+const struct glint_method glint_flat = {.id = GLINT_FLAT, .setup = shade_flat, .draw = draw_flat, .run = shade_run};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "raster/runs.h"
+#include "raster/effects.h"
 #include "raster/spans.h"
 #include "shade/colour.h"
 
@@ -17,7 +17,7 @@ static void shade_run(struct raster *r, int x, int y, int n)
 
 uint32_t draw_gouraud(struct raster *r, struct edges *e)
 {
-    if (!r->setup.plane.sliver && !raster_dithers(r)) {
+    if (!r->setup.plane.sliver && !raster_effects(r) && !raster_dithers(r)) {
         if (raster_is(r, GLINT_RGB565))
             return spans_rgb565_colours(r, e);
         if (raster_is(r, GLINT_GREY8))
@@ -25,7 +25,8 @@ uint32_t draw_gouraud(struct raster *r, struct edges *e)
         if (raster_is(r, GLINT_RGB888))
             return spans_rgb888_colours(r, e);
     }
-    return runs_draw(r, e, shade_run);
+    return effects_runs(r, e, shade_run);
 }
 
-const struct glint_method glint_gouraud = {GLINT_GOURAUD, 0, COLOUR_WORDS, shade_gouraud, draw_gouraud, 0, 0};
+const struct glint_method glint_gouraud = {
+    .id = GLINT_GOURAUD, .vertex_words = COLOUR_WORDS, .setup = shade_gouraud, .draw = draw_gouraud, .run = shade_run};

@@ -151,12 +151,16 @@ static uint32_t draw(struct raster *r, struct edges *e)
     return place == SUMMIT_EDGE ? drawn : drawn + draw_fan(r, e, peak, b, c);
 }
 
-static const struct glint_method split_at_highlight = {GLINT_SUBDIVIDE, 0, 0, shade_gouraud, draw, 0, 0};
+static const struct glint_method split_at_highlight = {.id = GLINT_SUBDIVIDE, .setup = shade_gouraud, .draw = draw};
 
 static const struct glint_method *choose(struct raster *r)
 {
     return adaptive_treats(&r->input) ? &split_at_highlight : &glint_gouraud;
 }
 
-const struct glint_method glint_subdivide_highlight = {GLINT_SUBDIVIDE,  0,     ADAPTIVE_WORDS, shade_gouraud, draw,
-                                                       highlighted_mark, choose};
+const struct glint_method glint_subdivide_highlight = {.id = GLINT_SUBDIVIDE,
+                                                       .vertex_words = ADAPTIVE_WORDS,
+                                                       .setup = shade_gouraud,
+                                                       .draw = draw,
+                                                       .object = highlighted_mark,
+                                                       .choose = choose};

@@ -12,5 +12,7 @@ static const struct glint_method *choose_x(struct raster *r)
     return adaptive_treats(&r->input) ? &glint_x : &glint_gouraud;
 }
 
-const struct glint_method glint_hybrid_phong = {GLINT_PHONG, 0, ADAPTIVE_WORDS, 0, 0, highlighted_mark, choose_phong};
-const struct glint_method glint_hybrid_x = {GLINT_X, 1, ADAPTIVE_WORDS, 0, 0, highlighted_mark, choose_x};
+const struct glint_method glint_hybrid_phong = {
+    .id = GLINT_PHONG, .vertex_words = ADAPTIVE_WORDS, .object = highlighted_mark, .choose = choose_phong};
+const struct glint_method glint_hybrid_x = {
+    .id = GLINT_X, .uses_tables = 1, .vertex_words = ADAPTIVE_WORDS, .object = highlighted_mark, .choose = choose_x};

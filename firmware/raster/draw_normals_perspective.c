@@ -8,6 +8,15 @@ static uint32_t draw(struct raster *r, struct edges *e)
     return r->setup.perspective ? runs_draw(r, e, normals_run_perspective) : runs_draw(r, e, normals_run);
 }
 
-const struct glint_method glint_phong_perspective = {GLINT_PHONG, 0, 0, shade_phong_perspective, draw, 0, 0};
-const struct glint_method glint_biquadratic_perspective = {
-    GLINT_BIQUADRATIC, 0, 0, shade_biquadratic_perspective, draw, 0, 0};
+static void run(struct raster *r, int x, int y, int n)
+{
+    (r->setup.perspective ? normals_run_perspective : normals_run)(r, x, y, n);
+}
+
+const struct glint_method glint_phong_perspective = {
+    .id = GLINT_PHONG, .setup = shade_phong_perspective, .draw = draw, .run = run, .colours = COLOURS_OF_NORMALS};
+const struct glint_method glint_biquadratic_perspective = {.id = GLINT_BIQUADRATIC,
+                                                           .setup = shade_biquadratic_perspective,
+                                                           .draw = draw,
+                                                           .run = run,
+                                                           .colours = COLOURS_OF_NORMALS};

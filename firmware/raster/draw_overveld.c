@@ -8,4 +8,5 @@ static uint32_t draw(struct raster *r, struct edges *e)
     return runs_draw(r, e, normals_run);
 }
 
-const struct glint_method glint_overveld = {GLINT_OVERVELD, 0, 0, shade_overveld, draw, 0, 0};
+const struct glint_method glint_overveld = {
+    .id = GLINT_OVERVELD, .setup = shade_overveld, .draw = draw, .run = normals_run, .colours = COLOURS_OF_NORMALS};

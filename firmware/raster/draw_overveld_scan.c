@@ -98,4 +98,5 @@ static uint32_t draw(struct raster *r, struct edges *e)
     return runs_draw(r, e, shade_run);
 }
 
-const struct glint_method glint_overveld_scan = {GLINT_OVERVELD, 0, 0, shade_overveld_scan, draw, 0, 0};
+const struct glint_method glint_overveld_scan = {
+    .id = GLINT_OVERVELD, .setup = shade_overveld_scan, .draw = draw, .run = shade_run, .colours = COLOURS_OF_NORMALS};

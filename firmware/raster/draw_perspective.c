@@ -20,5 +20,20 @@ static uint32_t draw(struct raster *r, struct edges *e)
     return r->setup.perspective ? runs_draw(r, e, shade_run) : raster_draw_dots(r, e);
 }
 
-const struct glint_method glint_x_perspective = {GLINT_X, 1, 0, shade_x_perspective, draw, 0, 0};
-const struct glint_method glint_six_perspective = {GLINT_SIX, 1, 0, shade_six_perspective, draw, 0, 0};
+static void run(struct raster *r, int x, int y, int n)
+{
+    (r->setup.perspective ? shade_run : dots_run)(r, x, y, n);
+}
+
+const struct glint_method glint_x_perspective = {.id = GLINT_X,
+                                                 .uses_tables = 1,
+                                                 .setup = shade_x_perspective,
+                                                 .draw = draw,
+                                                 .run = run,
+                                                 .colours = COLOURS_OF_DOTS};
+const struct glint_method glint_six_perspective = {.id = GLINT_SIX,
+                                                   .uses_tables = 1,
+                                                   .setup = shade_six_perspective,
+                                                   .draw = draw,
+                                                   .run = run,
+                                                   .colours = COLOURS_OF_DOTS};

@@ -8,4 +8,5 @@ static uint32_t draw(struct raster *r, struct edges *e)
     return runs_draw(r, e, normals_run);
 }
 
-const struct glint_method glint_phong = {GLINT_PHONG, 0, 0, shade_phong, draw, 0, 0};
+const struct glint_method glint_phong = {
+    .id = GLINT_PHONG, .setup = shade_phong, .draw = draw, .run = normals_run, .colours = COLOURS_OF_NORMALS};

@@ -125,16 +125,21 @@ static void nothing(struct shade_setup *setup, const struct shade_input *in)
 }
 
 const struct glint_method glint_subdivide_recursive = {
-    GLINT_SUBDIVIDE, 0, COLOUR_WORDS, shade_gouraud, draw_by_size, 0, 0};
-const struct glint_method glint_subdivide_centre = {GLINT_SUBDIVIDE, 0, COLOUR_WORDS, nothing, draw_by_centre, 0, 0};
+    .id = GLINT_SUBDIVIDE, .vertex_words = COLOUR_WORDS, .setup = shade_gouraud, .draw = draw_by_size};
+const struct glint_method glint_subdivide_centre = {
+    .id = GLINT_SUBDIVIDE, .vertex_words = COLOUR_WORDS, .setup = nothing, .draw = draw_by_centre};
 
 /* What the adaptive one splits. */
-static const struct glint_method split_by_size = {GLINT_SUBDIVIDE, 0, 0, shade_gouraud, draw_by_size, 0, 0};
+static const struct glint_method split_by_size = {.id = GLINT_SUBDIVIDE, .setup = shade_gouraud, .draw = draw_by_size};
 
 static const struct glint_method *choose(struct raster *r)
 {
     return adaptive_treats(&r->input) ? &split_by_size : &glint_gouraud;
 }
 
-const struct glint_method glint_subdivide_regular = {
-    GLINT_SUBDIVIDE, 0, ADAPTIVE_WORDS, shade_gouraud, draw_by_size, highlighted_mark, choose};
+const struct glint_method glint_subdivide_regular = {.id = GLINT_SUBDIVIDE,
+                                                     .vertex_words = ADAPTIVE_WORDS,
+                                                     .setup = shade_gouraud,
+                                                     .draw = draw_by_size,
+                                                     .object = highlighted_mark,
+                                                     .choose = choose};

@@ -123,5 +123,15 @@ uint32_t raster_draw_dots(struct raster *r, struct edges *e)
     return draw_runs(r, e);
 }
 
-const struct glint_method glint_x = {GLINT_X, 1, 0, shade_x, raster_draw_dots, 0, 0};
-const struct glint_method glint_six = {GLINT_SIX, 1, 0, shade_six, raster_draw_dots, 0, 0};
+const struct glint_method glint_x = {.id = GLINT_X,
+                                     .uses_tables = 1,
+                                     .setup = shade_x,
+                                     .draw = raster_draw_dots,
+                                     .run = dots_run,
+                                     .colours = COLOURS_OF_DOTS};
+const struct glint_method glint_six = {.id = GLINT_SIX,
+                                       .uses_tables = 1,
+                                       .setup = shade_six,
+                                       .draw = raster_draw_dots,
+                                       .run = dots_run,
+                                       .colours = COLOURS_OF_DOTS};

@@ -5,17 +5,18 @@
 
 #define SHORTEST (1u << 12)
 
-/* Scales x, y, z to length 1, Q15, given the sum of their squares, which is not 0. */
-static inline __attribute__((always_inline)) void put_unit(struct raster *r, int i, int32_t x, int32_t y, int32_t z,
-                                                           uint32_t squared)
+/* Keeps a normal times a power of 2, |v| in [2^15, 2^16), and 2^45 / |v|: dot products are taken of it as it is, and
+ * then divided. So what v was rounded by turns it a little, but leaves its length exact, on which a high power depends.
+ * `squared` is the sum of the squares, not 0. */
+static inline __attribute__((always_inline)) void keep(struct raster *r, int i, int32_t x, int32_t y, int32_t z,
+                                                       uint32_t squared)
 {
-    unsigned up = fx_clz(squared) & ~1u;                            /* to [2^30, 2^32) by a square's factor */
-    int32_t inverse = (int32_t)(fx_rsqrt_norm(squared << up) >> 1); /* Q30, at most 2^30 */
-    /* |v| 2^(up / 2) < 2^16; 2^15 / |v| 2^(-up / 2) in Q30, and 2 bits more: Q15 */
-    unsigned half = up / 2 + 2;
-    r->value[0][i] = fx_mulhi_s32(x * (1 << half), inverse);
-    r->value[1][i] = fx_mulhi_s32(y * (1 << half), inverse);
-    r->value[2][i] = fx_mulhi_s32(z * (1 << half), inverse);
+    unsigned up = fx_clz(squared) & ~1u; /* to [2^30, 2^32) by a square's factor */
+    const int32_t half = 1 << up / 2;
+    r->value[0][i] = x * half;
+    r->value[1][i] = y * half;
+    r->value[2][i] = z * half;
+    r->divisor[i].half = (int32_t)(fx_rsqrt_norm(squared << up) >> 1); /* at most 2^30 */
 }
 
 /* Any length: the largest component is first moved to 15 bits. */
@@ -31,7 +32,7 @@ static void normalise_one(struct raster *r, int i)
     x = x * up >> 16;
     y = y * up >> 16;
     z = z * up >> 16; /* within [-2^15, 2^15): each square at most 2^30, their sum at least 2^28 */
-    put_unit(r, i, x, y, z, (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z));
+    keep(r, i, x, y, z, (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z));
 }
 
 static void normalise_any(struct raster *r, int n)
@@ -40,8 +41,8 @@ static void normalise_any(struct raster *r, int n)
         normalise_one(r, i);
 }
 
-/* Q30 in, Q15 out. Less than 1.2 long: what is linear is at most 1 + 2^-13, for corners that were rounded. One shorter
- * than 2^-6 (between opposite corners, or where a quadratic passes 0) takes the longer way. */
+/* Q30 in. Less than 1.2 long: what is linear is at most 1 + 2^-13, for corners that were rounded. One shorter than 2^-6
+ * (between opposite corners, or where a quadratic passes 0) takes the longer way. */
 static void normalise(struct raster *r, int n)
 {
     for (int i = 0; i < n; i++) {
@@ -50,32 +51,49 @@ static void normalise(struct raster *r, int n)
         if (squared < 1u << 18)
             normalise_one(r, i);
         else
-            put_unit(r, i, x, y, z, squared);
+            keep(r, i, x, y, z, squared);
     }
 }
 
-/* n . v, Q15 and Q14 to Q15, at most 1 + 2^-12. */
-static inline __attribute__((always_inline)) int32_t dot(const struct raster *r, int i, const q14_t v[3])
+/* N . u of a unit vector in Q14, in Q30, at most 1 + 2^-12: |v| |u| < 2^30 (1 + 2^-12) and so is every partial sum; the
+ * high product is 2^27 of it. */
+static inline __attribute__((always_inline)) q30_t dot(const struct raster *r, int i, const q14_t u[3])
 {
-    return (r->value[0][i] * v[0] + r->value[1][i] * v[1] + r->value[2][i] * v[2] + (1 << 13)) >> 14;
+    const int32_t sum = r->value[0][i] * u[0] + r->value[1][i] * u[1] + r->value[2][i] * u[2];
+    return fx_mulhi_s32(sum, r->divisor[i].half) * 8;
 }
 
-/* Adds a light at one pixel. `formed`: by another form of the power than the table. */
+/* What 1 / |u| is beyond 1, Q29, of a unit vector in Q14 within 2^-12: below 2^17. */
+static int32_t shortness(const q14_t u[3])
+{
+    return (1 << 28) - (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+}
+
+/* Adds a light at one pixel. `formed`: by another form of the power than the table; `lacks`: half's shortness. */
 static inline __attribute__((always_inline)) void add_light(struct raster *r, int i, unsigned l, const q14_t towards[3],
-                                                            const q14_t half[3], int formed)
+                                                            const q14_t half[3], int32_t lacks, int formed)
 {
     const struct surface *s = &r->surface;
-    int32_t diffuse = dot(r, i, towards);
-    diffuse = diffuse < 0 ? 0 : diffuse;
-    for (unsigned c = 0; c < surface_channels(s); c++)
-        r->sum[i][c] += surface_diffuse((uint32_t)diffuse, s->light[l].diffuse[c]);
-    int32_t highlight = surface_highlights(s) ? dot(r, i, half) : 0;
+    const q30_t diffuse = dot(r, i, towards);
+    if (diffuse > 0)
+        for (unsigned c = 0; c < surface_channels(s); c++)
+            r->sum[i][c] += surface_diffuse((uint32_t)diffuse >> 15, s->light[l].diffuse[c]);
+    q30_t highlight = surface_highlights(s) ? dot(r, i, half) : 0;
     if (highlight <= 0)
         return;
-    const q30_t n_dot_h = (q30_t)((uint32_t)highlight << 15);
-    uint32_t power = formed ? surface_power(s, n_dot_h) : fx_power(s->power, n_dot_h);
+    highlight += (highlight >> 17) * lacks >> 12; /* 2^13 (1 + 2^-12) * 2^17 */
+    uint32_t power = formed ? surface_power(s, highlight) : fx_power(s->power, highlight);
     for (unsigned c = 0; c < surface_channels(s); c++)
-        r->sum[i][c] += surface_diffuse(power, s->light[l].specular[c]);
+        r->gloss[3 * i + (int)c] += surface_diffuse(power, s->light[l].specular[c]);
+}
+
+/* By a W of their own: the depth's is exact to a part of the picture's nearest depth, which is not enough of a triangle
+ * that reaches from the near plane a hundred times as far. */
+static void find_divisors(struct raster *r, int x, int y, int n)
+{
+    plane_values(&r->setup.plane, &r->setup.channel[SHADE_WEIGHT], x, y, n, r->value[0]);
+    for (int i = 0; i < n; i++)
+        r->divisor[i] = perspective_divisor_of((uint32_t)(r->value[0][i] > 1 << 10 ? r->value[0][i] : 1 << 10) << 2);
 }
 
 /* Where lights or the eye are near: the places in position units, into r->value[3] to [5]. */
@@ -83,7 +101,7 @@ static __attribute__((noinline)) void find_places(struct raster *r, int x, int y
 {
     const int perspective = r->setup.perspective;
     if (perspective)
-        raster_divisors(r, x, y, n);
+        find_divisors(r, x, y, n);
     for (int c = 3; c < 6; c++) {
         int32_t *value = r->value[c];
         plane_values(&r->setup.plane, &r->setup.channel[c], x, y, n, value);
@@ -98,18 +116,22 @@ static inline __attribute__((always_inline)) void add_lights(struct raster *r, i
     const struct surface *s = &r->surface;
     const struct object_state *object = r->input.object;
     q14_t towards[3], half[3];
+    int32_t lacks = 0;
     for (int i = 0; i < n; i++)
         for (unsigned c = 0; c < surface_channels(s); c++)
             r->sum[i][c] = s->base[c];
     for (unsigned l = 0; l < surface_lights(s); l++) {
-        if (!object_local(object))
+        if (!object_local(object)) {
             object_light_at(object, l, 0, towards, half);
+            lacks = shortness(half);
+        }
         for (int i = 0; i < n; i++) {
             if (object_local(object)) {
                 const int32_t place[3] = {r->value[3][i], r->value[4][i], r->value[5][i]};
                 object_light_at(object, l, place, towards, half);
+                lacks = shortness(half);
             }
-            add_light(r, i, l, towards, half, formed);
+            add_light(r, i, l, towards, half, lacks, formed);
         }
     }
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "raster/parts.h"
-#include "raster/runs.h"
+#include "raster/effects.h"
 
 /* Channels are signed Q22 steps; the top is clamped when they are written. */
 static void shade_part(struct raster *r, int x, int y, int n)
@@ -34,12 +34,13 @@ uint32_t parts_linear(struct raster *r, struct edges *e, const struct part_corne
     places(r, corner, p);
     if (!fine_setup(e, p, r->width, r->height, r->y0, r->y1))
         return 0;
-    const int fast = raster_is(r, GLINT_RGB565) && !raster_dithers(r) && part_linear(&r->setup, &r->input, corner, 1);
+    const int fast = raster_is(r, GLINT_RGB565) && !raster_dithers(r) && !raster_effects(r) &&
+                     part_linear(&r->setup, &r->input, corner, 1);
     uint32_t drawn = 0;
     if (!fast)
         part_linear(&r->setup, &r->input, corner, 0);
     do
-        drawn += fast ? draw_gouraud(r, e) : runs_draw(r, e, shade_part);
+        drawn += fast ? draw_gouraud(r, e) : effects_runs(r, e, shade_part);
     while (fine_setup(e, p, r->width, r->height, e->last, r->y1));
     return drawn;
 }
@@ -55,7 +56,7 @@ uint32_t parts_quadratic(struct raster *r, struct edges *e, const struct part_co
     if (!part_quadratic(&r->setup, &r->input, corner, middle))
         part_linear(&r->setup, &r->input, corner, 0);
     do
-        drawn += runs_draw(r, e, shade_part);
+        drawn += effects_runs(r, e, shade_part);
     while (fine_setup(e, p, r->width, r->height, e->last, r->y1));
     return drawn;
 }

@@ -9,6 +9,7 @@
 
 #include "geometry/clip.h"
 #include "glint.h"
+#include "plan/fog.h"
 #include "raster/edges.h"
 #include "shade/perspective.h"
 
@@ -55,6 +56,9 @@ struct raster {
     uint8_t *pixels;
     uint16_t *depth; /* of the band, width a row */
     struct palette palette;
+    struct fog fog;
+    uint16_t fog_colour[3]; /* Q8 steps */
+    uint16_t fog_allowed;   /* error that may be added, Q16 of full intensity */
     struct surface surface;
     uint16_t budget;                          /* of auto, Q8 of 1/255 */
     uint16_t surface_material;                /* which one `surface` holds; 0xffff: none */
@@ -62,6 +66,7 @@ struct raster {
     void *table;                       /* one for each of the first r->tables materials, table_bytes() each */
     /* the triangle in hand */
     struct shade_input input;
+    struct fog_plan fog_plan;
     union {
         struct shade_setup setup;
         struct { /* while the frame begins: all triangles are listed before the first is set up */
@@ -71,14 +76,26 @@ struct raster {
             int16_t place[CLIP_MAX_CORNERS][3];
         } begin;
     };
+    uint32_t surface_effects; /* what the surface in hand asks for at each pixel besides lighting: USES_TEXTURE */
+    uint32_t effects;         /* what the triangle does: that, and USES_FOG */
     uint16_t weight[3][3];
+    struct shade_turned turned;
     uint16_t colours[3][COLOUR_WORDS];
     _Alignas(uint32_t) struct span span[SPANS]; /* read as a word each */
     /* the run in hand */
     int32_t value[6][RUN];
     struct perspective_divisor divisor[RUN];
     uint32_t sum[RUN][3];
+    uint32_t *gloss; /* where lights add highlights: to `sum`, or apart from what a texture multiplies */
+    uint32_t apart[USES(USES_TEXTURE) ? RUN : 1][3];
+    int32_t uv[2][USES(USES_TEXTURE | USES_BUMP) ? RUN : 1]; /* texture coordinates, Q28 */
 };
+
+/* Effects at pixels of the triangle in hand: 0 where the program has none. */
+static inline uint32_t raster_effects(const struct raster *r)
+{
+    return USES(USES_TEXTURE | USES_FOG) ? r->effects : 0;
+}
 
 struct triangle_ref;
 
@@ -109,6 +126,13 @@ static inline uint8_t raster_top(unsigned format, unsigned channel)
     }
 }
 
+/* What lies in r->sum after a method's run of pixels: finished colours, or with highlights apart in r->gloss where they
+ * can reach the triangle (setup.specular_lights), or anywhere. */
+enum method_colours { COLOURS_FINISHED, COLOURS_OF_DOTS, COLOURS_OF_NORMALS };
+
+/* Fills r->sum for n pixels from (x, y), Q15 steps, unclamped; adds highlights to r->gloss. */
+typedef void raster_run(struct raster *r, int x, int y, int n);
+
 /* A method: how a triangle is set up, and its pixels. */
 struct glint_method {
     uint8_t id;           /* enum glint_method_id */
@@ -122,6 +146,9 @@ struct glint_method {
                    unsigned stride, struct glint_stats *stats);
     /* Null, or which method the triangle in hand is drawn by, which it is counted under: this one or a plainer. */
     const struct glint_method *(*choose)(struct raster *r);
+    /* Its lighting, for what is drawn with effects at pixels (effects.h). Null: `draw` looks at them. */
+    raster_run *run;
+    uint8_t colours; /* enum method_colours of `run` */
 };
 
 /* These methods' draw. flat's is of r->setup.flat. */

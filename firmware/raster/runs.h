@@ -10,8 +10,8 @@
 /* Tests and writes the depths of n pixels from (x, y): a bit for each that is nearer than what was there. */
 uint32_t raster_visible(struct raster *r, int x, int y, int n);
 
-/* `shade` fills r->sum for n pixels from (x, y), Q15 steps, unclamped. */
-typedef void runs_shade(struct raster *r, int x, int y, int n);
+/* `shade` fills r->sum, unclamped. */
+typedef raster_run runs_shade;
 
 /* Keeps a run's shading, or a way of drawing that is taken seldom, from taking registers of what calls it. */
 #define RUNS_APART __attribute__((noinline))

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The reciprocal length of a normal by 1 - |N|^2 = s: the nearest entry errs by half a step, 2^-12, times the slope,
- * (1 - s)^(-3/2) / 2 <= .77: 1.9e-4 of the quotient, with which 255 kd take .05 kd and highlights 255 ks n 1.9e-4 = .05 n ks
- * of 1/255 at most.
+ * (1 - s)^(-3/2) / 2 <= .77: 1.9e-4 of the quotient, with which 255 kd take .05 kd and highlights 255 ks n 1.9e-4 = .05
+ * n ks of 1/255 at most.
  */
 #include "raster/spans.h"
 

@@ -8,10 +8,10 @@ SPANS_CASE(constant, 0)
 SPANS_CASE(colours, SPANS_COLOUR)
 SPANS_CASE(both_wide, BOTH | SPANS_QUADRATIC | SPANS_WIDE)
 #if SPANS_BY_HAND
-#define diffuse(r, e, look) spans_by_hand(r, e, look, 0, spans_hand_diffuse)
+#define diffuse(r, e, look)           spans_by_hand(r, e, look, 0, spans_hand_diffuse)
 #define diffuse_quadratic(r, e, look) spans_by_hand(r, e, look, 0, spans_hand_diffuse_quadratic)
-#define both(r, e, look) spans_by_hand(r, e, look, 0, spans_hand_both)
-#define both_quadratic(r, e, look) spans_by_hand(r, e, look, 0, spans_hand_both_quadratic)
+#define both(r, e, look)              spans_by_hand(r, e, look, 0, spans_hand_both)
+#define both_quadratic(r, e, look)    spans_by_hand(r, e, look, 0, spans_hand_both_quadratic)
 #else
 SPANS_CASE(diffuse, SPANS_DIFFUSE)
 SPANS_CASE(diffuse_quadratic, SPANS_DIFFUSE | SPANS_QUADRATIC)

@@ -28,7 +28,8 @@ uint32_t spans_rgb888_dots(struct raster *r, struct edges *e)
                                     .diffuse = r->surface.light[0].diffuse,
                                     .down = 30u - TABLE_BITS - r->surface.power->octave};
     if (!shade_specular(setup))
-        return setup->diffuse_lights ? diffuse(r, e, &look) : spans_rgb888_constant(r, e, raster_colour(r, r->surface.base));
+        return setup->diffuse_lights ? diffuse(r, e, &look)
+                                     : spans_rgb888_constant(r, e, raster_colour(r, r->surface.base));
     spans_highlight(r);
     return setup->wide ? both_wide(r, e, &look) : both(r, e, &look);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The loops of spans.h and the start values of their spans, in Thumb instructions of ARMv6-M. One text, of which each case
- * takes its part; the bits are those of the C in spans.h, which the goldens of a Cortex-M0+ show.
+ * The loops of spans.h and the start values of their spans, in Thumb instructions of ARMv6-M. One text, of which each
+ * case takes its part; the bits are those of the C in spans.h, which the goldens of a Cortex-M0+ show.
  */
 #include "raster/spans_hand.h"
 

@@ -2,18 +2,18 @@
 /*
  * Tables of one material under one light, made once.
  *
- * RGB565: the finished colour of every pair (N.L, N.H) in steps fine enough not to be seen, so that clamp, power, sum and
- * packing of a pixel are one load. N.L is in steps of 1/64, entry i for [i - 1/2, i + 1/2) / 64; N.H in steps of
- * 2^-(7 + octave) over the part of [0, 1] where the power shows, each entry standing for its middle, entry 0 for nothing.
- * Both clamps are to powers of 2 less 1, which ARMv7-M does in an instruction.
+ * RGB565: the finished colour of every pair (N.L, N.H) in steps fine enough not to be seen, so that clamp, power, sum
+ * and packing of a pixel are one load. N.L is in steps of 1/64, entry i for [i - 1/2, i + 1/2) / 64; N.H in steps of
+ * 2^-(7 + octave) over the part of [0, 1] where the power shows, each entry standing for its middle, entry 0 for
+ * nothing. Both clamps are to powers of 2 less 1, which ARMv7-M does in an instruction.
  *
  * GREY8 and RGB888: the ambient part with the rounding half, and the highlight, in Q7 steps, by N.H alone, in steps of
  * 2^-(TABLE_BITS + octave).
  *
- * What a table costs in accuracy, in 1/255 before rounding, for the largest kd and ks times colours and light: N.L errs by
- * half a step, at most 1/128 (at the end, where the last entry takes the middle of [63/64 - 1/128, 1], by 1/85.3), N.H by
- * half a step times the power's steepest slope, n. As octave is the largest with (1 - 2^-octave)^n < 2^-9,
- * n 2^-octave < 12.5 (n = 1: 1; n <= 1023: 8 and more at octave 7), and entry 0 leaves out less than 2^-9 and a step:
+ * What a table costs in accuracy, in 1/255 before rounding, for the largest kd and ks times colours and light: N.L errs
+ * by half a step, at most 1/128 (at the end, where the last entry takes the middle of [63/64 - 1/128, 1], by 1/85.3),
+ * N.H by half a step times the power's steepest slope, n. As octave is the largest with (1 - 2^-octave)^n < 2^-9, n
+ * 2^-octave < 12.5 (n = 1: 1; n <= 1023: 8 and more at octave 7), and entry 0 leaves out less than 2^-9 and a step:
  *     RGB565   255 (kd / 85 + ks n 2^-octave / 256) < 3 kd + 12.5 ks
  *     others   255 ks n 2^-octave / 2048            < 1.56 ks
  */
@@ -50,8 +50,8 @@ static void make_colours(struct raster *r, uint16_t *entry)
     }
 }
 
-/* Entries of channel c, `apart` numbers from one to the next: each in the middle of its step, linear between the power's
- * own steps. Ambient part and highlight are at most 255 steps each: in Q7 with the rounding half below 2^16. */
+/* Entries of channel c, `apart` numbers from one to the next: each in the middle of its step, linear between the
+ * power's own steps. Ambient part and highlight are at most 255 steps each: in Q7 with the rounding half below 2^16. */
 static void make_highlights(const struct surface *s, unsigned c, uint16_t *entry, unsigned apart)
 {
     const unsigned bits = TABLE_BITS - 7; /* FX_POWER_STEPS are 2^7 */
@@ -110,7 +110,7 @@ void table_find(struct raster *r)
 {
     r->surface_table = 0;
     if (r->surface_material >= r->tables || raster_dithers(r) || surface_lights(&r->surface) != 1 ||
-        (!raster_is(r, GLINT_RGB565) && surface_form(&r->surface)))
+        raster_effects(r) || (!raster_is(r, GLINT_RGB565) && surface_form(&r->surface)))
         return;
     struct table *table = table_at(r, r->surface_material);
     if (!made_for(table, &r->surface))

@@ -3,12 +3,22 @@
 #include "shade/normal_quadratic.h"
 #include "shade/piece.h"
 
+/* The edges on which the mesh has an inflection: those of its triangle, whose corners the input has as 0, 2, 1, so that
+ * its edge e is the triangle's 2 - e. */
+static unsigned edges_of(const struct shade_input *in)
+{
+    const unsigned flags = in->triangle->flags;
+    if (in->every_zigzag)
+        return 7;
+    return (flags & 2u) | (flags & 1u) << 2 | (flags >> 2 & 1u);
+}
+
 /* 0 if the triangle is linear. */
 static int quadratic_of(const struct shade_input *in, struct normal_quadratic *n)
 {
     const struct scene_vertex *corner[3];
     normal_quadratic_corners(in, corner);
-    if (!normal_quadratic_lee_jen(corner, n))
+    if (!normal_quadratic_lee_jen(corner, edges_of(in), n))
         return 0;
     normal_quadratic_restrict(in, n);
     return 1;

@@ -139,13 +139,13 @@ static int direction(const struct scene_vertex *const corner[3], int e, q30_t ou
     return 1;
 }
 
-int normal_quadratic_lee_jen(const struct scene_vertex *const corner[3], struct normal_quadratic *out)
+int normal_quadratic_lee_jen(const struct scene_vertex *const corner[3], unsigned edges, struct normal_quadratic *out)
 {
     int bent = 0;
     gather(corner, out);
     for (int e = 0; e < 3; e++) {
         q30_t g[3];
-        if (direction(corner, e, g)) {
+        if (edges >> e & 1u && direction(corner, e, g)) {
             bend_edge(out, e, corner[e], corner[e == 2 ? 0 : e + 1], g);
             bent = 1;
         } else {

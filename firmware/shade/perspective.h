@@ -42,6 +42,13 @@ struct perspective_divisor {
     uint32_t up;
 };
 
+/* From W in Q32 itself, not 0. */
+static inline struct perspective_divisor perspective_divisor_of(uint32_t w)
+{
+    const unsigned zeros = fx_clz(w);
+    return (struct perspective_divisor){(int32_t)(fx_recip_norm(w << zeros) >> 1), zeros};
+}
+
 static inline struct perspective_divisor perspective_divisor(uint32_t depth, unsigned up)
 {
     const uint32_t least = 1u << 12, far = (uint32_t)DEPTH_FAR << 16;

@@ -99,4 +99,6 @@ void piece_place_perspective(struct shade_setup *setup, const struct shade_input
         return;
     find_places(in, place);
     piece_vectors_perspective(setup, in, perspective, place, 1, setup->channel + 3);
+    perspective_linear(perspective, &setup->plane, (const int32_t[3]){Q14(1, 1), Q14(1, 1), Q14(1, 1)},
+                       &setup->channel[SHADE_WEIGHT]);
 }

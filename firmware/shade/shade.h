@@ -18,6 +18,20 @@ struct clipped_triangle {
 /* A finished colour, and the material's number where it is kept behind a vertex record's lights. */
 #define COLOUR_WORDS 4
 
+/* What a method may keep in a vertex record behind the lights: a finished colour, and a mark of the adaptive ones. */
+#define SHADE_VERTEX_WORDS (COLOUR_WORDS + 1)
+
+/*
+ * A triangle seen from behind, as one that was built to face that way: corners 0, 2, 1 of the mesh's, normals and dot
+ * products negated. All methods take it for a triangle of a mesh of three vertices.
+ */
+struct shade_turned {
+    struct scene_triangle triangle;
+    struct scene_vertex vertex[3];
+    int16_t uv[3][2];
+    int16_t lights[3][USES(USES_TWO_SIDED) ? 2 * SCENE_MAX_LIGHTS + SHADE_VERTEX_WORDS : 1];
+};
+
 /* A triangle to be shaded. Corners stand clockwise on the screen (y down), so that determinants are positive. */
 struct shade_input {
     const int16_t *place[3];               /* x, y, depth of the corners */
@@ -25,13 +39,16 @@ struct shade_input {
     const struct scene_triangle *triangle; /* the source; its edges stand in `bend` as 2, 1, 0 */
     const struct scene_vertex *vertices;   /* of its mesh */
     const uint16_t (*weight)[3];           /* null: the corners are the source's */
+    const int16_t (*uvs)[2];               /* of its mesh, Q12; null: none */
     const struct object_state *object;
     const struct surface *surface;
     uint16_t (
         *colours)[COLOUR_WORDS]; /* for finished colours; null: they are kept with the vertices, one CPU's alone */
     struct shade_plan plan;      /* glint_auto: what this triangle takes */
+    uint8_t texture;             /* enum glint_texture: how the triangle's coordinates are to be interpolated */
     uint8_t divides;             /* the view is a perspective one */
     uint8_t no_plan;             /* keep effects that cannot show */
+    uint8_t every_zigzag;        /* GLINT_EVERY_ZIGZAG */
     uint8_t tabled;              /* a colour table holds the material's power, of N.H itself */
     uint8_t sampled; /* mid-edges may need a look of their own: something is near, or the power has another form */
 };
@@ -39,9 +56,14 @@ struct shade_input {
 /* Which of the source's corners is the input's corner k. */
 #define SHADE_TURN(k) ((k) ? 3 - (k) : 0)
 
+/* Turns the triangle of an input round, whose places and lights are those of corners 0, 2, 1 of the mesh's; `words` of
+ * a vertex record are the method's. The colour that one keeps is not that of the back: the copy has none. */
+void shade_turn(struct shade_turned *turned, struct shade_input *in, unsigned words);
+
 /* Channels: per light N.L then N.H (x, six, duff), finished colours (gouraud, color6), or the normal's components
  * and the place's (phong, overveld, biquadratic). */
 #define SHADE_MAX_CHANNELS (2 * SCENE_MAX_LIGHTS + 1)
+#define SHADE_WEIGHT       6 /* beside places in perspective: W of shade/perspective.h, Q30 */
 #define SHADE_SQUARE       (2 * SCENE_MAX_LIGHTS) /* duff: the squared length of the normal */
 
 /*
@@ -100,10 +122,13 @@ struct shade_setup {
             uint8_t in_steps;  /* N.L counts in steps of the output (shade/steps.h); where it does, */
             uint8_t plain;     /* it needs no clamp together with the ambient part */
             uint8_t length;    /* duff: SHADE_SQUARE holds 1 - |N|^2, below 1/4; numerators are linear */
+            uint8_t uv_kind;   /* enum glint_texture of `uv` */
         };
     };
     struct plane plane;
     struct channel depth;
+    struct channel uv[USES(USES_TEXTURE | USES_BUMP) ? 2 : 1]; /* texture coordinates: shade/uv.h */
+    uint8_t uv_up;                                             /* of perspective ones: how far closeness is moved up */
     union {
         struct channel channel[SHADE_MAX_CHANNELS];
         struct {
@@ -115,7 +140,8 @@ struct shade_setup {
             struct part_split split[PART_DEPTH + 1]; /* a stack, the part in hand on top */
         } parts;
     };
-    uint32_t flat[3]; /* flat: the finished colour, Q15 steps */
+    uint32_t flat[3];   /* flat: the finished colour, Q15 steps */
+    struct channel fog; /* its part where that is linear, Q14 */
 };
 
 /* The lights whose highlight shows. */

@@ -44,11 +44,42 @@ static uint16_t reflected(const struct palette *palette, const uint16_t material
     return most;
 }
 
+/* In grey a texel counts as the luma that it gives the diffuse colour, of what that has itself: exact under lights
+ * without a hue. */
+static void weigh(const uint16_t diffuse[3], uint16_t grey[3])
+{
+    static const uint8_t share[3] = {77, 150, 29};
+    uint32_t part[3], sum = 0, rest = 256;
+    for (unsigned c = 0; c < 3; c++) { /* 2^15 * 150, and with it 2^8 more: below 2^31 */
+        part[c] = share[c] * (uint32_t)diffuse[c];
+        sum += part[c];
+    }
+    for (unsigned c = 2; c > 0; c--) {
+        grey[c] = (uint16_t)(sum ? ((part[c] << 8) + sum / 2) / sum : share[c]);
+        rest -= grey[c];
+    }
+    grey[0] = (uint16_t)rest;
+}
+
+FX_COLD static void take_texture(struct surface_texture *texture, const struct scene_header *scene,
+                                 const struct scene_material *material)
+{
+    texture->texels = 0;
+    if (material->texture == SCENE_NO_TEXTURE)
+        return;
+    texture->head = scene_textures(scene) + material->texture;
+    texture->texels = scene_at(scene, texture->head->texels);
+    texture->palette = scene_at(scene, texture->head->palette);
+    weigh(material->diffuse, texture->grey);
+}
+
 FX_COLD void surface_setup(struct surface *surface, const struct scene_header *scene,
                            const struct scene_material *material, const struct palette *palette)
 {
     static const uint8_t limit[SCENE_MAX_LIGHTS + 1] = {128, 128, 64, 42, 32, 25, 21, 18, 16}; /* 128 / lights */
     uint32_t rgb[3];
+    if (USES(USES_TEXTURE))
+        take_texture(&surface->texture, scene, material);
     surface->power = scene_powers(scene) + material->power;
     surface->plan.power = 0;
     surface->channels = palette->channels;
@@ -82,12 +113,26 @@ static uint32_t in_255(uint32_t steps, unsigned top)
     return (steps * 255 + top - 1) / top; /* below 2^24 */
 }
 
+#define ROUNDINGS 230u /* 1, less what sums and coefficients are rounded by */
+
+/*
+ * What colours by the vertex records' dot products can be off by in roundings, Q8 of 1/255. A record's N.H is off by up
+ * to 3.1 units of Q14 (the normal's length by .9, the half-way vector's by 1.7, its own rounding), the power's slope is
+ * at most n, and its table is off by 1/510. Phong's N.H is exact; what the table does to it, nothing mends.
+ */
+static uint32_t roughness(const struct plan_surface *plan)
+{
+    uint32_t sum = 0; /* below 8 * (2^16 * 2^12 + 2^16 * 2^5) < 2^32 */
+    for (unsigned i = 0; i < plan->lights; i++)
+        sum += plan->light[i].specular * (3u * plan->power->exponent + 32u) + 3u * plan->light[i].diffuse;
+    return sum >> 14;
+}
+
 FX_COLD void surface_plan(struct surface *surface, const struct palette *palette, uint16_t budget)
 {
     struct plan_surface *plan = &surface->plan;
     uint32_t base = 0;
     plan->power = surface->power;
-    plan->budget = budget;
     plan->lights = surface->lights;
     plan->highlights = surface->highlights;
     plan->foot = (int16_t)((1 << 14) - ((1 << 14) >> surface->power->octave));
@@ -107,6 +152,10 @@ FX_COLD void surface_plan(struct surface *surface, const struct palette *palette
         plan->light[i].diffuse = (uint16_t)diffuse;
         plan->light[i].specular = (uint16_t)specular;
     }
+    /* Roundings may take as much as 1 beyond the budget; the rest is the budget's. */
+    const uint32_t rough = roughness(plan), excess = rough > ROUNDINGS ? rough - ROUNDINGS : 0;
+    plan->sharp = excess > budget;
+    plan->budget = (uint16_t)(plan->sharp ? 0 : budget - excess);
 }
 
 void surface_shade(const struct surface *surface, const int16_t *lights_q14, uint32_t *out)

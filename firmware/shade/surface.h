@@ -15,6 +15,14 @@ struct palette {
     uint8_t top[3];
 };
 
+/* A texture, for the pixels. */
+struct surface_texture {
+    const void *texels; /* null: none */
+    const uint32_t *palette;
+    const struct scene_texture *head;
+    uint16_t grey[3]; /* what red, green and blue of a texel count in a grey picture, Q8, of sum 1 */
+};
+
 struct surface {
     const struct fx_power *power;
     const struct glint_power *form; /* of the power; null: the table */
@@ -25,8 +33,9 @@ struct surface {
      * the rounding half, Q7 steps */
     uint16_t fold, ambient;
     struct plan_surface plan; /* glint_auto's; its power is null until surface_plan() has filled it */
-    uint32_t base[3];         /* ambient part, Q15 steps, at most 255 * 2^15 */
-    uint32_t top[3];          /* full intensity, Q15 steps */
+    struct surface_texture texture;
+    uint32_t base[3]; /* ambient part, Q15 steps, at most 255 * 2^15 */
+    uint32_t top[3];  /* full intensity, Q15 steps */
     struct {
         uint16_t diffuse[3], specular[3];     /* at N.L = 1, (N.H)^n = 1: Q8 steps, at most 255 * 2^8 */
         uint16_t diffuse_most, specular_most; /* the largest of each */

@@ -33,6 +33,9 @@ static const char render_help[] =
     "      --threshold F      subdivide highlight: halves edges while the colour errs by more, .004 to .996 of it,\n"
     "                         default .3\n"
     "      --power P          of the highlight: table (default), exact, or free of powers by squarings: 4, 8, 16\n"
+    "      --texture KIND     how its coordinates are interpolated: affine, quadratic, split (quadratic, of triangles\n"
+    "                         split where that errs by more than the budget) or perspective; default: perspective,\n"
+    "                         with --method auto what the budget allows\n"
     "      --perspective      the method's perspective-correct variant\n"
     "      --size WxH         in pixels, each 1..2048; the default is the camera's\n"
     "      --frames N         1..1000000; default 1, for .apng, .y4m, folders and streams one loop of the animation\n"
@@ -45,6 +48,9 @@ static const char render_help[] =
     "      --band-rows N      rows drawn at a time, 1..2048; the default is all. The picture is the same\n"
     "      --tables N         colour tables of 16 KiB for rgb565, 0..255, default 0\n"
     "      --no-plan          compute also what cannot be seen. The picture is the same\n"
+    "      --every-zigzag     biquadratic: bends every edge that passes the paper's test, also where the triangles at "
+    "it\n"
+    "                         have no inflection\n"
     "      --shininess N      1..1023, replaces every material's exponent\n"
     "      --stats[=json]     print counts of triangles and pixels, memory and time\n"
     "      --hash             print '<index> <hash>' for each frame: CRC-32 of its bytes in the chosen format\n"
@@ -77,6 +83,7 @@ enum render_option {
     RENDER_AREA,
     RENDER_THRESHOLD,
     RENDER_PERSPECTIVE,
+    RENDER_TEXTURE,
     RENDER_SIZE,
     RENDER_FRAMES,
     RENDER_FPS,
@@ -87,6 +94,7 @@ enum render_option {
     RENDER_BAND_ROWS,
     RENDER_TABLES,
     RENDER_NO_PLAN,
+    RENDER_EVERY_ZIGZAG,
     RENDER_SHININESS,
     RENDER_STATS,
     RENDER_HASH,
@@ -106,6 +114,7 @@ static const struct option render_options[] = {{"output", required_argument, NUL
                                                {"area", required_argument, NULL, RENDER_AREA},
                                                {"threshold", required_argument, NULL, RENDER_THRESHOLD},
                                                {"perspective", no_argument, NULL, RENDER_PERSPECTIVE},
+                                               {"texture", required_argument, NULL, RENDER_TEXTURE},
                                                {"size", required_argument, NULL, RENDER_SIZE},
                                                {"frames", required_argument, NULL, RENDER_FRAMES},
                                                {"fps", required_argument, NULL, RENDER_FPS},
@@ -116,6 +125,7 @@ static const struct option render_options[] = {{"output", required_argument, NUL
                                                {"band-rows", required_argument, NULL, RENDER_BAND_ROWS},
                                                {"tables", required_argument, NULL, RENDER_TABLES},
                                                {"no-plan", no_argument, NULL, RENDER_NO_PLAN},
+                                               {"every-zigzag", no_argument, NULL, RENDER_EVERY_ZIGZAG},
                                                {"shininess", required_argument, NULL, RENDER_SHININESS},
                                                {"stats", optional_argument, NULL, RENDER_STATS},
                                                {"hash", no_argument, NULL, RENDER_HASH},
@@ -125,6 +135,8 @@ static const struct option render_options[] = {{"output", required_argument, NUL
                                                {"key", required_argument, NULL, RENDER_KEY},
                                                {"help", no_argument, NULL, RENDER_HELP},
                                                {0}};
+
+static const char *const render_textures[GLINT_TEXTURES] = {"default", "affine", "quadratic", "split", "perspective"};
 
 /* Stores a number that fits 0..255 or an index; false for what cli_choice() did not find. */
 static bool render_choose(int choice, uint8_t *out)
@@ -157,6 +169,8 @@ static bool render_value(struct render *render, int option, const char *text)
         return cli_budget(text, &config->budget);
     case RENDER_POWER:
         return render_choose_power(text, &config->power);
+    case RENDER_TEXTURE:
+        return render_choose(cli_choice(text, render_textures, GLINT_TEXTURES), &config->texture);
     case RENDER_SIZE:
         return cli_size(text, &config->width, &config->height);
     case RENDER_FRAMES:
@@ -215,6 +229,9 @@ static void render_flag(struct render *render, int option)
     case RENDER_NO_PLAN:
         render->renderer.config.flags |= GLINT_NO_PLAN;
         break;
+    case RENDER_EVERY_ZIGZAG:
+        render->renderer.config.flags |= GLINT_EVERY_ZIGZAG;
+        break;
     case RENDER_HASH:
         render->hash = true;
         break;
@@ -258,6 +275,7 @@ static int render_parse(struct render *render, int argc, char **argv)
         case RENDER_PERSPECTIVE:
         case RENDER_DITHER:
         case RENDER_NO_PLAN:
+        case RENDER_EVERY_ZIGZAG:
         case RENDER_HASH:
         case RENDER_PROGRESS:
             render_flag(render, option);

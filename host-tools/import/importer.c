@@ -73,6 +73,8 @@ static void read_material(const struct aiMaterial *in, struct model *model)
     double base[3];
     bool named = aiGetMaterialString(in, AI_MATKEY_NAME, &name) == AI_SUCCESS && name.length > 0;
     struct model_material *out = model_add_material(model, named ? name.data : "unnamed");
+    int two_sided = 0;
+    out->two_sided = aiGetMaterialInteger(in, AI_MATKEY_TWOSIDED, &two_sided) == AI_SUCCESS && two_sided;
     for (int k = 0; k < 3; k++)
         out->diffuse[k] = 0.75;
     if (get_colour(in, "$clr.base", base)) {

@@ -3,6 +3,7 @@
 
 #include "import/normals.h"
 #include "pack/convert.h"
+#include "pack/inflection.h"
 #include "scene/vec.h"
 
 #include <math.h>
@@ -235,7 +236,9 @@ const char *quantise_mesh(const struct model *model, const struct model_mesh *me
     free(s.slots);
     report->parts = out->part_count;
     for (unsigned i = 0; i < out->part_count; i++) {
-        set_radius(&out->parts[i]);
+        struct quantise_part *part = &out->parts[i];
+        set_radius(part);
+        inflection_mark(part->vertices, part->head.vertex_count, part->triangles, part->head.triangle_count);
         report->vertices_out += out->parts[i].head.vertex_count;
         report->triangles_out += out->parts[i].head.triangle_count;
     }

@@ -130,6 +130,15 @@ static void decode_light(const struct scene_header *scene, const struct scene_li
     }
 }
 
+static void decode_fog(const struct scene_fog *packed, struct decode_fog *fog)
+{
+    fog->kind = packed->kind;
+    decode_colour(packed->colour, fog->colour);
+    fog->from = decode_q(packed->from, 16);
+    fog->to = decode_q(packed->to, 16);
+    fog->density = ldexp(packed->density, -24);
+}
+
 void decode_view(const struct scene_header *scene, uint32_t time_ms, unsigned width, unsigned height,
                  struct decode_view *view)
 {
@@ -144,9 +153,19 @@ void decode_view(const struct scene_header *scene, uint32_t time_ms, unsigned wi
     view->near_plane = decode_q(camera->near_plane, 16);
     view->far_plane = decode_q(camera->far_plane, 16);
     decode_colour(scene->background, view->background);
+    decode_fog(&scene->fog, &view->fog);
     view->light_count = scene->light_count;
     for (unsigned i = 0; i < view->light_count; i++)
         decode_light(scene, scene_lights(scene) + i, time_ms, &eye, view->lights + i);
+}
+
+static void decode_object(const struct scene_header *scene, const struct scene_object *object, uint32_t time_ms,
+                          struct decode_pose *pose)
+{
+    decode_rotation(object->rotation, pose->rotation);
+    decode_vector(object->position, 16, pose->position);
+    pose->scale = decode_q(object->scale, 16);
+    decode_motion(scene, &object->motion, time_ms, pose);
 }
 
 void decode_vertices(const struct scene_header *scene, const struct scene_object *object, uint32_t time_ms,
@@ -154,12 +173,10 @@ void decode_vertices(const struct scene_header *scene, const struct scene_object
 {
     const struct scene_mesh *mesh = scene_meshes(scene) + object->mesh;
     const struct scene_vertex *packed = scene_at(scene, mesh->vertices);
+    const int16_t(*uvs)[2] = mesh->uvs ? scene_at(scene, mesh->uvs) : NULL;
     struct decode_pose pose, eye;
     double centre[3], extent = decode_q(mesh->extent, 16);
-    decode_rotation(object->rotation, pose.rotation);
-    decode_vector(object->position, 16, pose.position);
-    pose.scale = decode_q(object->scale, 16);
-    decode_motion(scene, &object->motion, time_ms, &pose);
+    decode_object(scene, object, time_ms, &pose);
     decode_camera(&scene->camera, &eye);
     decode_vector(mesh->centre, 16, centre);
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
@@ -168,10 +185,37 @@ void decode_vertices(const struct scene_header *scene, const struct scene_object
             position[i] = centre[i] + extent * decode_q(packed[v].position[i], 15);
             normal[i] = decode_q(packed[v].normal[i], 14);
         }
+        for (int k = 0; k < 2; k++)
+            vertices[v].uv[k] = uvs ? decode_q(uvs[v][k], 12) : 0;
         decode_apply(&pose, position, position);
         decode_apply(&eye, position, vertices[v].position);
         vec_quat_rotate(pose.rotation, normal, normal);
         vec_quat_rotate(eye.rotation, normal, vertices[v].normal);
+    }
+}
+
+void decode_turn(const struct scene_header *scene, const struct scene_object *object, uint32_t time_ms, uint16_t yaw,
+                 uint16_t pitch, struct decode_vertex *vertices)
+{
+    static const double right[3] = {0, 1, 0}, down[3] = {1, 0, 0};
+    const double step = 2 * acos(-1) / 65536;
+    struct decode_pose pose, eye;
+    double origin[3], about_y[4], turn[4];
+    if (!yaw && !pitch)
+        return;
+    decode_object(scene, object, time_ms, &pose);
+    decode_camera(&scene->camera, &eye);
+    decode_apply(&eye, pose.position, origin);
+    vec_quat_axis(right, step * yaw, about_y);
+    vec_quat_axis(down, -step * pitch, turn);
+    vec_quat_multiply(turn, about_y, turn);
+    for (uint32_t v = 0; v < scene_meshes(scene)[object->mesh].vertex_count; v++) {
+        double *position = vertices[v].position;
+        vec_sub(position, origin, position);
+        vec_quat_rotate(turn, position, position);
+        for (int i = 0; i < 3; i++)
+            position[i] += origin[i];
+        vec_quat_rotate(turn, vertices[v].normal, vertices[v].normal);
     }
 }
 
@@ -188,6 +232,16 @@ void decode_material(const struct scene_header *scene, unsigned index, struct de
         material->specular[c] *= decode_q(packed->ks, 15);
     }
     material->shininess = packed->shininess;
+    material->texture.scene = scene;
+    material->texture.head = packed->texture == SCENE_NO_TEXTURE ? NULL : scene_textures(scene) + packed->texture;
+    decode_colour(packed->diffuse, material->grey);
+    const double share[3] = {.299, .587, .114};
+    double sum = 0;
+    for (unsigned c = 0; c < 3; c++)
+        sum += material->grey[c] *= share[c];
+    for (unsigned c = 0; c < 3; c++)
+        material->grey[c] = sum > 0 ? material->grey[c] / sum : share[c];
+    material->two_sided = (packed->flags & MATERIAL_TWO_SIDED) != 0;
 }
 
 double decode_bend(const struct scene_triangle *triangle, unsigned e)

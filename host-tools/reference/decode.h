@@ -17,6 +17,12 @@
 struct decode_vertex {
     double position[3];
     double normal[3]; /* as packed: its length within 2^-13 of 1 */
+    double uv[2];
+};
+
+struct decode_texture {
+    const struct scene_header *scene;
+    const struct scene_texture *head; /* null: none */
 };
 
 struct decode_material {
@@ -24,6 +30,9 @@ struct decode_material {
     double diffuse[3];  /* diffuse * kd */
     double specular[3]; /* specular * ks */
     double shininess;
+    struct decode_texture texture;
+    double grey[3]; /* what a texel's channels count where one is shaded: luma of the diffuse colour, of sum 1 */
+    bool two_sided;
 };
 
 struct decode_light {
@@ -32,11 +41,17 @@ struct decode_light {
     double colour[3];
 };
 
+struct decode_fog {
+    int kind; /* enum scene_fog_kind */
+    double colour[3], from, to, density;
+};
+
 struct decode_view {
     bool perspective, local_viewer;
     double focal; /* pixels, for the picture's size */
     double near_plane, far_plane;
     double background[3];
+    struct decode_fog fog;
     unsigned light_count;
     struct decode_light lights[SCENE_MAX_LIGHTS];
 };
@@ -48,6 +63,11 @@ void decode_view(const struct scene_header *scene, uint32_t time_ms, unsigned wi
 /* The vertices of scene_meshes(scene)[object->mesh] as that object places them at `time_ms`. */
 void decode_vertices(const struct scene_header *scene, const struct scene_object *object, uint32_t time_ms,
                      struct decode_vertex *vertices);
+
+/* Turns them about the object's own origin as glint_turn() says: the front right by `yaw`, then up by `pitch`, as the
+ * eye sees it, in 1/65536 turns. */
+void decode_turn(const struct scene_header *scene, const struct scene_object *object, uint32_t time_ms, uint16_t yaw,
+                 uint16_t pitch, struct decode_vertex *vertices);
 
 void decode_material(const struct scene_header *scene, unsigned index, struct decode_material *material);
 

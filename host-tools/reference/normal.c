@@ -106,7 +106,7 @@ void normal_setup_biquadratic(struct shading *shading)
     normal_setup_linear(shading);
     for (unsigned e = 0; e < 3; e++) {
         double direction[3], middle[3];
-        if (!normal_direction(shading, e, direction))
+        if (!(shading->edges >> e & 1u) || !normal_direction(shading, e, direction))
             continue;
         normal_along(shading->corner[e].normal, shading->corner[(e + 1) % 3].normal, direction, .5, middle);
         normal_setup_middle(shading, e, middle);

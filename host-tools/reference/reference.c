@@ -20,8 +20,10 @@ static void reference_triangle(struct triangle_target *target, const struct scen
     struct decode_material material;
     double bend[3];
     target->highlight = false;
+    target->edges = triangle->flags;
     for (unsigned i = 0; i < 3; i++) {
         corner[i] = mesh->vertex[triangle->corner[i]];
+        target->corner_placed[i] = target->placed ? target->placed[triangle->corner[i]] : NULL;
         bend[i] = decode_bend(triangle, i);
         target->highlight = target->highlight || (target->method->highlight && mesh->reached[triangle->corner[i]]);
     }
@@ -30,16 +32,20 @@ static void reference_triangle(struct triangle_target *target, const struct scen
 }
 
 static void reference_object(struct triangle_target *target, const struct scene_header *scene,
-                             const struct scene_object *object, uint32_t time_ms, struct reference_mesh *mesh)
+                             const struct scene_object *object, const struct reference_options *options,
+                             struct reference_mesh *mesh)
 {
     const struct scene_mesh *packed = scene_meshes(scene) + object->mesh;
     const struct scene_triangle *triangles = scene_at(scene, packed->triangles);
-    decode_vertices(scene, object, time_ms, mesh->vertex);
+    decode_vertices(scene, object, options->time_ms, mesh->vertex);
+    decode_turn(scene, object, options->time_ms, options->yaw, options->pitch, mesh->vertex);
     if (target->method->highlight)
         highlight_mark(target->view, triangles, packed->triangle_count, mesh->vertex, mesh->reached,
                        packed->vertex_count);
-    for (uint32_t t = 0; t < packed->triangle_count; t++)
+    for (uint32_t t = 0; t < packed->triangle_count; t++, target->triangle++)
         reference_triangle(target, scene, triangles + t, mesh);
+    if (target->placed)
+        target->placed += packed->vertex_count;
 }
 
 static void reference_clear(struct triangle_target *target)
@@ -62,6 +68,8 @@ bool reference_render(const struct scene_header *scene, const struct reference_o
     struct triangle_target target = {.image = image,
                                      .view = &view,
                                      .method = methods + options->method,
+                                     .drawn = options->drawn,
+                                     .placed = options->placed,
                                      .tolerance = (options->tolerance ? options->tolerance : 4) / 255,
                                      .part_area = options->part_area ? options->part_area : 32};
     size_t pixels = (size_t)image->width * image->height;
@@ -74,7 +82,7 @@ bool reference_render(const struct scene_header *scene, const struct reference_o
         decode_view(scene, options->time_ms, image->width, image->height, &view);
         reference_clear(&target);
         for (unsigned o = 0; o < scene->object_count; o++)
-            reference_object(&target, scene, scene_objects(scene) + o, options->time_ms, mesh);
+            reference_object(&target, scene, scene_objects(scene) + o, options, mesh);
     } else {
         reference_free(image);
     }

@@ -45,10 +45,21 @@ struct reference_options {
     unsigned width, height; /* 1..2048; both 0: the camera's reference size */
     uint32_t time_ms;
     enum reference_method method;
-    double tolerance; /* of subdivide-centre, in 1/255; 0: 4 */
-    double part_area; /* of subdivide-recursive and -regular, in pixels; 0: 32 */
-    bool grey;        /* shade one channel: Rec. 601 luma of the material's colours under each light */
+    double tolerance;    /* of subdivide-centre, in 1/255; 0: 4 */
+    double part_area;    /* of subdivide-recursive and -regular, in pixels; 0: 32 */
+    bool grey;           /* shade one channel: Rec. 601 luma of the material's colours under each light */
+    uint16_t yaw, pitch; /* every object turned as glint_turn() says, in 1/65536 turns */
+    /* Null, or [height][width]: which triangle the integer renderer drew at each pixel, counted through all objects;
+     * REFERENCE_NOTHING: none. Then the picture is of these, at these pixels, so that what is compared is shading
+     * alone: where two surfaces meet in one depth or an edge in a pixel's centre, roundings say which is seen. */
+    const uint32_t *drawn;
+    /* Null, or with `drawn`: where it placed each vertex, x and y in 28.4 from the picture's centre, counted through
+     * all objects. Taken where it is the true place rounded either way, to within 1/64 of a step: a sliver whose corner
+     * is all but half-way between two steps is another triangle after the other rounding. */
+    const int16_t (*placed)[2];
 };
+
+#define REFERENCE_NOTHING UINT32_MAX
 
 struct reference_image {
     unsigned width, height, channels;

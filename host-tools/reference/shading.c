@@ -19,6 +19,7 @@ void shading_material(struct shading *shading, const struct decode_view *view, c
                       unsigned channels)
 {
     shading->view = view;
+    shading->texel[0] = shading->texel[1] = shading->texel[2] = 1;
     shading->channels = channels;
     shading->shininess = material->shininess;
     shading_channels(material->ambient, channels, shading->ambient);
@@ -75,12 +76,12 @@ void shading_dots(const struct shading *shading, unsigned light, const double po
 void shading_colour(const struct shading *shading, double dots[][2], double colour[3])
 {
     for (unsigned c = 0; c < shading->channels; c++)
-        colour[c] = shading->ambient[c];
+        colour[c] = shading->texel[c] * shading->ambient[c];
     for (unsigned l = 0; l < shading->view->light_count; l++) {
         double diffuse = fmax(0, dots[l][0]);
         double specular = dots[l][1] > 0 ? pow(fmin(1, dots[l][1]), shading->shininess) : 0;
         for (unsigned c = 0; c < shading->channels; c++)
-            colour[c] += shading->diffuse[l][c] * diffuse + shading->specular[l][c] * specular;
+            colour[c] += shading->texel[c] * shading->diffuse[l][c] * diffuse + shading->specular[l][c] * specular;
     }
     for (unsigned c = 0; c < shading->channels; c++)
         colour[c] = fmin(1, colour[c]);

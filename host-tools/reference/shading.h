@@ -18,9 +18,11 @@ struct shading {
     const struct decode_view *view;
     unsigned channels;
     /* The material under each light. With one channel, the Rec. 601 luma of these products. */
+    double texel[3]; /* of the pixel in hand: times ambient and diffuse light; 1 where there is none */
     double ambient[3], diffuse[SCENE_MAX_LIGHTS][3], specular[SCENE_MAX_LIGHTS][3], shininess;
     struct decode_vertex corner[3];
     double bend[3]; /* (1 - Ni.Nj) / 2 of the edges */
+    unsigned edges; /* biquadratic: that may be quadratic, a bit each */
     /* What subdivision asks for. */
     double tolerance;                          /* of colour, at the centre */
     double part_area;                          /* in pixels, not larger */

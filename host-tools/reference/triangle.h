@@ -10,13 +10,19 @@ struct triangle_target {
     struct reference_image *image;
     const struct decode_view *view;
     const struct method *method;
-    double tolerance, part_area; /* as in struct shading */
-    bool highlight;              /* can reach the next triangle */
+    double tolerance, part_area;     /* as in struct shading */
+    bool highlight;                  /* can reach the next triangle */
+    unsigned edges;                  /* of the next triangle, that may be quadratic, a bit each */
+    const uint32_t *drawn;           /* as in struct reference_options */
+    uint32_t triangle;               /* the next one's number */
+    const int16_t (*placed)[2];      /* the same, of the object in hand */
+    const int16_t *corner_placed[3]; /* and of the triangle's corners */
+    /* With `drawn`, the smallest barycentric coordinate in what the near plane left of the triangle; else: */
     double *depth; /* closeness: 1 / distance in perspective, else - distance; -infinity where nothing is */
 };
 
-/* `bend` as decode_bend() gives it for the three edges. */
+/* `bend` as decode_bend() gives it for the three edges. Both may be turned round, where the back of it is seen. */
 void triangle_draw(struct triangle_target *target, const struct decode_material *material,
-                   const struct decode_vertex corner[3], const double bend[3]);
+                   struct decode_vertex corner[3], double bend[3]);
 
 #endif

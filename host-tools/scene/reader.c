@@ -10,7 +10,7 @@
 
 #define CAMERA_MEMBERS "type size focal fov position look_at up transform near far viewer"
 
-static void read_materials(const struct node *materials, struct model *model)
+static void read_materials(const struct node *materials, struct model *model, int *exit_code)
 {
     const char *name;
     json_t *value;
@@ -20,15 +20,17 @@ static void read_materials(const struct node *materials, struct model *model)
     {
         struct node node = node_member(materials, name);
         struct model_material *m = model_add_material(model, name);
-        node_object(&node, "diffuse specular ka kd ks shininess flat");
+        node_object(&node, "diffuse specular ka kd ks shininess flat two_sided texture");
         node_member_vector(&node, "diffuse", m->diffuse, 3, 0, 1);
         node_member_vector(&node, "specular", m->specular, 3, 0, 1);
         m->ka = node_member_number(&node, "ka", 0, 1, m->ka);
         m->kd = node_member_number(&node, "kd", 0, 1, m->kd);
         m->ks = node_member_number(&node, "ks", 0, 1, m->ks);
         m->shininess = node_member_number(&node, "shininess", 1, 1023, m->ks > 0 ? NAN : 1);
-        struct node flat = node_member(&node, "flat");
+        struct node flat = node_member(&node, "flat"), two_sided = node_member(&node, "two_sided");
         m->flat = node_bool(&flat, false);
+        m->texture = reader_texture(&node, "texture", model, exit_code);
+        m->two_sided = node_bool(&two_sided, false);
     }
 }
 
@@ -129,6 +131,28 @@ void reader_camera(const struct node *node, struct model_camera *out)
         look_at(node, &target, out);
 }
 
+static void read_fog(const struct node *node, struct model_fog *out)
+{
+    static const char *const members[] = {"", "kind colour from to", "kind colour density"};
+    if (!node->value)
+        return;
+    out->kind = node_member_choice(node, "kind", "none linear exponential", -1);
+    if (out->kind <= FOG_NONE) {
+        node_fail(node, "\"kind\" must be linear or exponential");
+        return;
+    }
+    node_object(node, members[out->kind]);
+    node_member_vector(node, "colour", out->colour, 3, 0, 1);
+    if (out->kind == FOG_EXPONENTIAL) {
+        out->density = node_member_number(node, "density", 1e-6, 16, NAN);
+        return;
+    }
+    out->from = node_member_number(node, "from", 0, 32766, NAN);
+    out->to = node_member_number(node, "to", 0, 32767, NAN);
+    if (!(out->to - out->from >= 1. / 4096))
+        node_fail(node, "\"from\" must be less than \"to\"");
+}
+
 int reader_load(const char *path, struct model *model)
 {
     struct node_file file;
@@ -136,16 +160,19 @@ int reader_load(const char *path, struct model *model)
     int exit_code = 1;
     *model = (struct model){0};
     if (node_open(&file, path, &root)) {
-        node_object(&root, "materials meshes objects lights camera ambient background duration");
+        node_object(&root, "materials textures meshes objects lights camera ambient background fog duration");
         node_member_vector(&root, "ambient", model->ambient, 3, 0, 1);
         node_member_vector(&root, "background", model->background, 3, 0, 1);
         model->duration_ms = (uint32_t)lround(1000 * node_member_number(&root, "duration", 0, 1e6, 0));
         struct node materials = node_member(&root, "materials"), meshes = node_member(&root, "meshes");
         struct node lights = node_member(&root, "lights"), objects = node_member(&root, "objects");
-        struct node camera = node_member(&root, "camera");
+        struct node camera = node_member(&root, "camera"), fog = node_member(&root, "fog");
+        struct node textures = node_member(&root, "textures");
+        read_fog(&fog, &model->fog);
         reader_camera(&camera, &model->camera);
         reader_lights(&lights, model);
-        read_materials(&materials, model);
+        reader_textures(&textures, model, &exit_code);
+        read_materials(&materials, model, &exit_code);
         if (!file.failed)
             reader_meshes(&meshes, model, &exit_code);
         if (!file.failed)

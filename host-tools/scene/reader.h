@@ -11,6 +11,7 @@ int reader_load(const char *path, struct model *model);
 
 /* The parts, each for one member of the root; failures stick to the node's file. */
 void reader_meshes(const struct node *meshes, struct model *model, int *exit_code);
+void reader_textures(const struct node *textures, struct model *model, int *exit_code);
 void reader_objects(const struct node *objects, struct model *model);
 void reader_lights(const struct node *lights, struct model *model);
 void reader_camera(const struct node *camera, struct model_camera *out);
@@ -19,6 +20,10 @@ void reader_camera(const struct node *camera, struct model_camera *out);
 void reader_patches(const struct node *mesh_node, struct model_mesh *mesh);
 void reader_triangles(const struct node *mesh_node, struct model_mesh *mesh);
 
+/* A file's path, which is relative to the scene file's folder: the caller's. */
+char *reader_path(const struct node *node, const char *name);
+/* The index of the texture that a material's member names, one of `textures` or a .png file; -1 if absent. */
+int reader_texture(const struct node *material, const char *key, struct model *model, int *exit_code);
 /* "x", "y", "z" or three numbers; made unit. Required. */
 void reader_axis(const struct node *node, double out[3]);
 /* A list of rotate, move and scale steps, each after those before; `pose` holds the first ones. Absent: no step. */

@@ -74,21 +74,10 @@ static void read_shape(const struct node *node, struct model_mesh *mesh)
         reader_triangles(node, mesh);
 }
 
-/* A file name is relative to the scene file's folder. */
-static char *resolve(const char *scene, const char *name)
-{
-    const char *slash = strrchr(scene, '/');
-    size_t folder = slash && name[0] != '/' ? (size_t)(slash - scene) + 1 : 0;
-    char *path = model_alloc(folder + strlen(name) + 1);
-    memcpy(path, scene, folder);
-    strcpy(path + folder, name);
-    return path;
-}
-
 static void read_file(const struct node *node, struct model *model, size_t index, int *exit_code)
 {
     struct node name = node_member(node, "file");
-    char *path = resolve(node->file->path, node_string(&name, NULL));
+    char *path = reader_path(node, node_string(&name, NULL));
     node_object(node, "file crease" COMMON);
     double crease = node_member_number(node, "crease", 0, 180, IMPORT_CREASE) * M_PI / 180;
     if (!node->file->failed && (*exit_code = import_file(path, crease, model, index)) != 0)

@@ -46,12 +46,13 @@ REPORT_C := tests/device/bench.c $(SCENE_DIR)/report_list.c $(REPORT_SCENES:%=$(
 SETUP_C := tests/setups/bench.c $(SETUP_SRC)
 STREAM_C := tests/device/stream.c $(SCENE_DIR)/bench_list.c $(BENCH_SCENES:%=$(SCENE_DIR)/%.c)
 
+# The renderer for CPU_$(1), in folder $(1); for less than all if USES_$(1) names a header that says so (firmware/uses.h).
 define cpu_rules
 ARM_OBJ_$(1) := $$(CORE_SRC:%.c=$(BUILD)/$(1)/%.o)
-$(BUILD)/$(1)/%.o: %.c
+$(BUILD)/$(1)/%.o: %.c $$(USES_$(1))
 	$$(call say,CC-$(1),$$<)
 	@mkdir -p $$(@D)
-	$$(Q)$$(ARM)gcc $$(CPU_$(1)) $$(ARM_FLAGS) $$(if $$(filter $$<,$$(COLD_SRC)),-Os) $$(DEFS_$(1)) -MMD -MP -c $$< -o $$@
+	$$(Q)$$(ARM)gcc $$(CPU_$(1)) $$(ARM_FLAGS) $$(if $$(filter $$<,$$(COLD_SRC)),-Os) $$(DEFS_$(1)) $$(addprefix -include ,$$(USES_$(1))) -MMD -MP -c $$< -o $$@
 -include $$(shell find $(BUILD)/$(1) -name '*.d' 2>/dev/null)
 endef
 $(foreach c,m0 $(CPUS),$(eval $(call cpu_rules,$(c))))

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # image_size.sh BOARD IMAGE LIMIT SCENE.o...: what an image takes, and whether its flash without the scenes is at most
-# LIMIT; 0: any is good.
+# LIMIT; 0: any is good; code: that flash alone; -BYTES: and what it saves against another's.
 board=$1 image=$2 limit=$3
 shift 3
 arm-none-eabi-size "$image" "$@" | awk -v board="$board" -v image="${image##*/}" -v limit="$limit" '
@@ -9,8 +9,13 @@ arm-none-eabi-size "$image" "$@" | awk -v board="$board" -v image="${image##*/}"
     NR > 2 { scenes += $1 + $2 }
     END {
         code = flash - scenes
-        if (limit == 0) {
-            printf "%s %s: flash %d bytes and %d of scenes, static RAM %d\n", board, image, code, scenes, ram
+        if (limit == "code") {
+            print code
+            exit
+        }
+        if (limit <= 0) {
+            printf "%s %s: flash %d bytes and %d of scenes, static RAM %d", board, image, code, scenes, ram
+            printf limit < 0 ? "; %d bytes of code less than app.elf\n" : "\n", -limit - code
             exit
         }
         bad = code > limit

@@ -63,9 +63,10 @@ static inline void scene_case_normal(q14_t out[3], double x, double y, double z)
     out[2] = (q14_t)lrint(z / length * 16384);
 }
 
-/* The bends of a triangle's edges from its corners' normals. */
+/* The bends of a triangle's edges from its corners' normals; all of them may be quadratic. */
 static inline void scene_case_bend(struct scene_triangle *triangle, const struct scene_vertex *vertices)
 {
+    triangle->flags = 7 * TRIANGLE_QUADRATIC;
     for (int e = 0; e < 3; e++) {
         const q14_t *a = vertices[triangle->corner[e]].normal, *b = vertices[triangle->corner[(e + 1) % 3]].normal;
         double dot = ((double)a[0] * b[0] + (double)a[1] * b[1] + (double)a[2] * b[2]) / (16384. * 16384.);

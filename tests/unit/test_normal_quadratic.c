@@ -184,7 +184,7 @@ static void bulges_of_lee_and_jen_are_the_formula_s(void **state)
         struct normal_quadratic n;
         int bent = 0;
         random_triangle(&t);
-        int said = normal_quadratic_lee_jen(t.corner, &n);
+        int said = normal_quadratic_lee_jen(t.corner, 7, &n);
         for (int e = 0; e < 3; e++) {
             double wanted[3];
             enum kind kind = lee_jen(&t, e, wanted);
@@ -213,7 +213,7 @@ static void normals_have_no_mean_part_along_a_zigzag_edge(void **state)
         struct triangle t;
         struct normal_quadratic n;
         random_triangle(&t);
-        normal_quadratic_lee_jen(t.corner, &n);
+        normal_quadratic_lee_jen(t.corner, 7, &n);
         for (int e = 0; e < 3; e++) {
             double n0[3], n1[3], edge[3], wanted[3], mean = 0;
             if (lee_jen(&t, e, wanted) != PLANE)
@@ -239,7 +239,7 @@ static void a_serpentine_quad_turns_about_one_axis_along_its_diagonal_too(void *
         t.corner[k] = &t.vertex[k];
         scene_case_normal(t.vertex[k].normal, k ? .5 : .7, 0, 1);
     }
-    assert_int_equal(normal_quadratic_lee_jen(t.corner, &n), 1);
+    assert_int_equal(normal_quadratic_lee_jen(t.corner, 7, &n), 1);
     normal_quadratic_overveld(t.corner, &o);
     for (int e = 0; e < 3; e++)
         assert_true(abs(n.bulge[1][e]) < 1 << 8); /* roundings */
@@ -271,7 +271,7 @@ static void upright_and_arch_edges_are_linear(void **state)
                 t.vertex[k].normal[2] = (q14_t)lrint(sqrt(16384. * 16384 - cases[i].lean[k] * cases[i].lean[k]));
             }
         }
-        normal_quadratic_lee_jen(t.corner, &n);
+        normal_quadratic_lee_jen(t.corner, 7, &n);
         if ((n.bulge[0][0] != 0) != cases[i].bent)
             fail_msg("leans %d and %d: bulge %d", cases[i].lean[0], cases[i].lean[1], n.bulge[0][0]);
     }
@@ -297,7 +297,7 @@ static void an_edge_bends_alike_in_both_its_triangles(void **state)
         for (int pass = 0; pass <= plane; pass++) {
             for (int axis = 0; axis < 3; axis++)
                 assert_true(abs(n.bulge[axis][0] - m.bulge[axis][0]) <= (pass ? 1 << 13 : 1 << 7));
-            normal_quadratic_lee_jen(t.corner, &n);
+            normal_quadratic_lee_jen(t.corner, 7, &n);
             normal_quadratic_lee_jen(u.corner, &m);
             count += plane;
         }
@@ -336,7 +336,7 @@ static void normals_are_at_most_seven_sixths_long(void **state)
         if (i & 1)
             normal_quadratic_overveld(t.corner, &n);
         else
-            normal_quadratic_lee_jen(t.corner, &n);
+            normal_quadratic_lee_jen(t.corner, 7, &n);
         for (int j = 0; j < 20; j++) {
             double l[3], v[3];
             random_weights(l);

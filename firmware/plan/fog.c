@@ -1,0 +1,228 @@
+/* SPDX-License-Identifier: MIT */
+#include "plan/fog.h"
+
+#define DEPTHS   ((uint32_t)(DEPTH_NEAR - DEPTH_FAR)) /* K */
+#define ONE      (1 << 16)
+#define MOST     (1 << 30)   /* of A / c and of B */
+#define LOG2_E   3098164009u /* 1 / ln 2 in Q31 */
+#define THINNEST 13
+
+/* A positive number, m 2^-down with m in [2^31, 2^32); 0 as the least there is. */
+struct scaled {
+    uint32_t m;
+    int down;
+};
+
+FX_COLD static struct scaled scaled_of(uint64_t x, int down)
+{
+    if (!x)
+        return (struct scaled){1u << 31, 96};
+    for (; x >> 32 == 0; down++)
+        x <<= 1;
+    for (; x >> 32; down--) /* at most 31 bits go */
+        x >>= 1;
+    return (struct scaled){(uint32_t)x, down};
+}
+
+static struct scaled product(struct scaled a, struct scaled b)
+{
+    return scaled_of((uint64_t)a.m * b.m, a.down + b.down);
+}
+
+static struct scaled quotient(struct scaled a, struct scaled b)
+{
+    return scaled_of(fx_divide_u64((uint64_t)a.m << 31, b.m), a.down + 31 - b.down);
+}
+
+/* x 2^-down, at most MOST. */
+static int32_t fitted(uint32_t x, int down)
+{
+    if (down >= 32)
+        return 0;
+    if (down < 0) /* x is 0 or at least 2^30 where this is called */
+        return x ? MOST : 0;
+    x >>= down;
+    return x > MOST ? MOST : (int32_t)x;
+}
+
+static int32_t q16_of(struct scaled a)
+{
+    return fitted(a.m, a.down - 16);
+}
+
+/* c in Q16. Depths are rounded down, once or in perspective twice: on the average half of that is put back. */
+static uint32_t closeness_of(const struct fog *fog, uint32_t depth_q16)
+{
+    const uint32_t far = (uint32_t)DEPTH_FAR << 16, least = 1u << 14, back = fog->divides ? 1u << 16 : 1u << 15;
+    return depth_q16 + back > far + least ? depth_q16 + back - far : least; /* DEPTH_NEAR < 2^16 - 1 */
+}
+
+/* u in Q16, -2^30..2^31. */
+static int32_t argument(const struct fog *fog, uint32_t depth_q16)
+{
+    const uint32_t c = closeness_of(fog, depth_q16);
+    if (!fog->divides) /* A c: the product's upper half is 2^-32 of it */
+        return fog->offset - fitted(fx_mulhi_u32(fog->scale, c), fog->scale_down - 32);
+    /* A / c = scale 2^-scale_down * r 2^(up - 63) 2^16, in Q16 2^16 more, of which mulhi takes 2^32 */
+    const unsigned up = fx_clz(c);
+    return fitted(fx_mulhi_u32(fog->scale, fx_recip_norm(c << up)), fog->scale_down - 1 - (int)up) - fog->offset;
+}
+
+static uint32_t part_of(const struct fog *fog, int32_t u)
+{
+    if (u <= 0)
+        return 0;
+    if (fog->kind == FOG_EXPONENTIAL)
+        return ONE - fx_exp2_minus((uint32_t)u);
+    return u < ONE ? (uint32_t)u : ONE;
+}
+
+uint32_t fog_part(const struct fog *fog, uint32_t depth_q16)
+{
+    return part_of(fog, argument(fog, depth_q16));
+}
+
+static uint32_t q14_of(uint32_t part_q16)
+{
+    return (part_q16 + 2) >> 2;
+}
+
+/* The least depth whose part in Q14 is at most `part`: it falls as depth rises. */
+FX_COLD static uint16_t first_depth(const struct fog *fog, uint32_t part)
+{
+    uint32_t low = 0, high = 65536;
+    while (low < high) {
+        const uint32_t middle = (low + high) / 2;
+        if (q14_of(fog_part(fog, middle << 16)) > part)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return (uint16_t)(low > 65535 ? 65535 : low);
+}
+
+/* The greatest |dF/dc|, by which a depth counts that is off by 1 (orthographic: 1/2). In perspective du/dc = -A / c^2 =
+ * -(u + B)^2 / A: linear fog has u <= 1, and 2^-u u^2 ln 2 <= 25/32. */
+FX_COLD static uint16_t error_of(const struct fog *fog, struct scaled a)
+{
+    const int exponential = fog->kind == FOG_EXPONENTIAL;
+    int32_t error;
+    if (fog->divides) {
+        const uint64_t reach = exponential ? 0 : (uint64_t)(uint32_t)(ONE + fog->offset);
+        error = q16_of(quotient(exponential ? scaled_of(25, 5) : scaled_of(reach * reach, 32), a));
+    } else {
+        error = q16_of(a) / 2;
+    }
+    error += exponential ? 10 : 4;
+    return (uint16_t)(error > 65535 ? 65535 : error);
+}
+
+/* thickness: of linear fog. */
+FX_COLD static struct scaled scale_of(const struct fog *fog, const struct scene_header *scene, uint32_t thickness)
+{
+    const struct scene_camera *camera = &scene->camera;
+    const struct scaled depths = scaled_of(DEPTHS, 0);
+    const struct scaled per_unit = fog->kind == FOG_LINEAR
+                                       ? quotient(scaled_of(1, 0), scaled_of(thickness, 16))
+                                       : product(scaled_of(scene->fog.density, 24), (struct scaled){LOG2_E, 31});
+    if (fog->divides)
+        return product(product(scaled_of((uint32_t)camera->near_plane, 16), depths), per_unit);
+    return product(quotient(scaled_of((uint32_t)(camera->far_plane - camera->near_plane), 16), depths), per_unit);
+}
+
+FX_COLD void fog_begin(struct fog *fog, const struct scene_header *scene)
+{
+    const struct scene_fog *from = &scene->fog;
+    const uint32_t far = (uint32_t)scene->camera.far_plane;
+    *fog = (struct fog){.kind = (uint8_t)from->kind, .divides = scene->camera.kind == CAMERA_PERSPECTIVE};
+    if (fog->kind == FOG_LINEAR && (uint32_t)from->from >= far)
+        fog->kind = FOG_NONE;
+    if (fog->kind == FOG_NONE)
+        return;
+    const uint32_t thinnest = (fog->divides ? (uint32_t)from->from : far) >> THINNEST;
+    uint32_t thickness = (uint32_t)(from->to - from->from);
+    thickness = thickness > thinnest ? thickness : thinnest;
+    const struct scaled a = scale_of(fog, scene, thickness);
+    fog->scale = a.m;
+    fog->scale_down = (int16_t)a.down;
+    if (fog->kind == FOG_LINEAR) {
+        const int64_t to_far = fog->divides ? from->from : (int64_t)far - from->from;
+        fog->offset = (int32_t)fx_divide_s64(to_far * ONE, thickness);
+    } else if (!fog->divides) {
+        fog->offset =
+            q16_of(product(scaled_of(far, 16), product(scaled_of(from->density, 24), (struct scaled){LOG2_E, 31})));
+    }
+    fog->error = error_of(fog, a);
+    fog->clear = first_depth(fog, 0);
+    fog->solid = first_depth(fog, (ONE >> 2) - 1);
+    fog->solid = (uint16_t)(fog->solid ? fog->solid - 1 : 0);
+}
+
+/* How far the interpolation of u between the extremes can be above it, Q16. They differ by less than 1. */
+static uint32_t bow_of(const struct fog *fog, int32_t near, int32_t far)
+{
+    if (!fog->divides)
+        return 0;
+    const uint32_t step = (uint32_t)(far - near);
+    /* z in u's units: at most MOST, so a quarter of the sum is at most 2^30 */
+    const uint32_t sum = 3 * ((uint32_t)(near + fog->offset) >> 2) + ((uint32_t)(far + fog->offset) >> 2);
+    return sum ? (step * step >> 2) / sum + 2 : step;
+}
+
+/* How far the interpolated part can be off, Q16. */
+static uint32_t linear_error(const struct fog *fog, int32_t near, int32_t far)
+{
+    if (far - near >= ONE)
+        return ONE;
+    uint32_t bow = bow_of(fog, near, far); /* at most their difference and 2 */
+    if (fog->kind == FOG_EXPONENTIAL) {
+        const uint32_t step = (uint32_t)(far - near), curve = step * step >> 20; /* (ln 2)^2 / 8 < 2^-4 */
+        bow = bow * 45427 >> 16;                                                 /* ln 2 */
+        bow = (bow > curve ? bow : curve) + 1;
+        return (bow * fx_exp2_minus(near > 0 ? (uint32_t)near : 0) >> 16) + 2; /* bow < 3/4 * 2^16 */
+    }
+    return bow + (uint32_t)(near < 0 ? -near : 0) + (uint32_t)(far > ONE ? far - ONE : 0);
+}
+
+static void set_even(struct fog_plan *plan, uint32_t part_q14, int all)
+{
+    plan->kind = FOGGED_EVENLY;
+    if (!all && part_q14 == 0)
+        plan->kind = FOGGED_NOT;
+    if (!all && part_q14 == ONE >> 2)
+        plan->kind = FOGGED_WHOLLY;
+    plan->part[0] = plan->part[1] = plan->part[2] = (int32_t)part_q14;
+}
+
+void fog_choose(const struct fog *fog, const int32_t depth[3], uint32_t allowed, int all, struct fog_plan *plan)
+{
+    uint32_t part[3], least = ONE, most = 0;
+    int32_t near = INT32_MAX, far = INT32_MIN;
+    plan->error = fog->error;
+    if (depth[0] >= fog->clear && depth[1] >= fog->clear && depth[2] >= fog->clear) {
+        plan->shown = ONE;
+        plan->error = 0;
+        set_even(plan, 0, all);
+        return;
+    }
+    for (int k = 0; k < 3; k++) {
+        const int32_t u = argument(fog, (uint32_t)depth[k] << 16);
+        part[k] = part_of(fog, u);
+        near = u < near ? u : near;
+        far = u > far ? u : far;
+        least = part[k] < least ? part[k] : least;
+        most = part[k] > most ? part[k] : most;
+    }
+    plan->shown = ONE - least;
+    const uint32_t range = most - least;
+    if (range <= 2 * allowed) {
+        plan->error += (range + 1) / 2;
+        set_even(plan, q14_of((least + most) / 2), all);
+        return;
+    }
+    for (int k = 0; k < 3; k++)
+        plan->part[k] = (int32_t)q14_of(part[k]);
+    const uint32_t error = linear_error(fog, near, far);
+    plan->kind = error <= allowed ? FOGGED_LINEARLY : FOGGED_BY_PIXEL;
+    plan->error += error <= allowed ? error : 0;
+}

@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: MIT */
+#include "scene/picture.h"
+
+#include "compare/image.h"
+#include "scene/scene.h"
+
+#include <math.h>
+
+int picture_load(struct model *model, const char *path, int *index)
+{
+    struct image image;
+    *index = model_find_texture(model, path);
+    if (*index >= 0)
+        return 0;
+    int code = image_read_png(path, &image);
+    if (code)
+        return code;
+    struct model_texture *texture = model_add_texture(model, path);
+    texture->format = TEXTURE_RGB565;
+    texture->bilinear = true;
+    texture->width = image.width;
+    texture->height = image.height;
+    texture->rgb = image.rgb;
+    *index = (int)model->texture_count - 1;
+    return 0;
+}
+
+/* 0..1 of a cell's corner, by a mixer of its numbers. */
+static double hashed(unsigned x, unsigned y)
+{
+    uint32_t h = x * 0x9e3779b9u ^ (y * 0x85ebca6bu + 0x7f4a7c15u);
+    h = (h ^ h >> 16) * 0x7feb352du;
+    h = (h ^ h >> 15) * 0x846ca68bu;
+    return (h ^ h >> 16) / 4294967295.;
+}
+
+/* Values of the corners, smoothly between them; repeats after px, py cells. */
+static double noise(double u, double v, unsigned px, unsigned py)
+{
+    const double x = floor(u), y = floor(v), s = u - x, t = v - y;
+    const double a = s * s * (3 - 2 * s), b = t * t * (3 - 2 * t);
+    const unsigned x0 = (unsigned)x % px, y0 = (unsigned)y % py, x1 = (x0 + 1) % px, y1 = (y0 + 1) % py;
+    return (hashed(x0, y0) * (1 - a) + hashed(x1, y0) * a) * (1 - b) +
+           (hashed(x0, y1) * (1 - a) + hashed(x1, y1) * a) * b;
+}
+
+/* How much of the second colour there is at u, v in cells. */
+static double share(enum picture_pattern pattern, double u, double v, const unsigned cells[2])
+{
+    double sum = 0;
+    if (pattern == PICTURE_CHECKER)
+        return ((unsigned)u + (unsigned)v) % 2;
+    if (pattern == PICTURE_GRADIENT)
+        return u - floor(u);
+    for (unsigned octave = 0; octave < 4; octave++)
+        sum += noise(u * (1 << octave), v * (1 << octave), cells[0] << octave, cells[1] << octave) / (2 << octave);
+    return sum / (1 - 1. / 16);
+}
+
+void picture_make(struct model_texture *texture, enum picture_pattern pattern, const unsigned size[2],
+                  const unsigned cells[2], double colour[2][3])
+{
+    texture->width = size[0];
+    texture->height = size[1];
+    uint8_t *rgb = texture->rgb = model_alloc(3 * (size_t)size[0] * size[1]);
+    for (unsigned y = 0; y < size[1]; y++)
+        for (unsigned x = 0; x < size[0]; x++) {
+            const double u = (x + .5) * cells[0] / size[0], v = (size[1] - y - .5) * cells[1] / size[1];
+            const double part = share(pattern, u, v, cells);
+            for (int c = 0; c < 3; c++)
+                *rgb++ = (uint8_t)lround(255 * (colour[0][c] + part * (colour[1][c] - colour[0][c])));
+        }
+}
