@@ -13,7 +13,7 @@
  * With d the largest difference of ui and q = (s - s') / (s + s') of the largest and the smallest si, no pixel errs by
  * more than
  *   affine       d q / (1 + sqrt(1 - q^2))                  (proof in plan/texture.c)
- *   quadratic    d q^2 (.1925 + .1 q + .2 q^2), q <= 3/4    (derived and verified there)
+ *   quadratic    d q^2 (.1927 + .1 q + .2 q^2), q <= 3/4    (derived and verified there)
  */
 #ifndef GLINT_UV_H
 #define GLINT_UV_H
