@@ -208,7 +208,7 @@ static void choices_subpixel(FILE *out, const struct choices *c)
         "1/64 of a pixel. Inside, 2 bits lose up to %.1f dB against 6, 4 "
         "bits %.1f, most of it where one part of an object hides another. The truth has seven times as fine a grid as "
         "4 bits. Fewer than 4 are the renderer\u2019s corners rounded; more are its pictures of twice and four times "
-        "the size, of which the pixels with the same centres are taken; by duff.</p>\n",
+        "the size, of which the pixels with the same centres are taken; by phong.</p>\n",
         choices_number(c, "subpixel", "4", "picture", "pixels"),
         choices_number(c, "subpixel", "3", "picture", "pixels"),
         choices_number(c, "subpixel", "4", "picture", "pixels"),
@@ -231,7 +231,7 @@ static void choices_power(FILE *out, const struct choices *c)
         "%.1f it wants %.0f bytes: worth it where many pixels are in highlights, the CPU is an M0+ and flash is not "
         "short. Steps are spread over the part of 0..1 where the power shows; instructions are a pixel\u2019s, loop "
         "and "
-        "store included; pictures by duff.</p>\n",
+        "store included; pictures by phong.</p>\n",
         choices_number(c, "power", own, "table", "bytes"), choices_most(c, "power", own, "error"),
         choices_most(c, "power", "1024 interpolated", "error"), choices_most(c, "power", half, "error"),
         choices_count(c, "power", own, "m3") - choices_count(c, "power", nearest, "m3"),

@@ -167,7 +167,7 @@ static int choices_subpixel(struct choices_scene *s, bool first)
         wraps_begin();
         wraps.subpixel = bits;
         snprintf(value, sizeof value, "%u", bits);
-        code = choices_picture(s, "subpixel", value, "duff", NULL);
+        code = choices_picture(s, "subpixel", value, "phong", NULL);
         if (first) /* determinants have 32 bits: coordinates differ by 2^15 at most */
             choices_line("subpixel", value, "picture", "pixels", 32768 >> bits);
     }
@@ -176,16 +176,22 @@ static int choices_subpixel(struct choices_scene *s, bool first)
 
 /* --- reciprocals and roots -------------------------------------------------------------------------------------- */
 
+/* `power`: its form; any keeps a method from loops of its own, which may look up what the series gives. */
 static int choices_series(struct choices_scene *s, const char *choice, const struct parts_choice *parts, unsigned count,
-                          const char *method)
+                          const char *method, const struct glint_power *power)
 {
     const bool root = strcmp(choice, "root") == 0;
     int code = choices_truth(s, s->packed.scene->camera.reference_width, 1);
     for (unsigned i = 0; !code && i < count; i++) {
         wraps_begin();
         *(root ? &wraps.root : &wraps.reciprocal) = parts[i].run;
-        code = choices_picture(s, choice, parts[i].name, method, NULL);
-        choices_line(choice, parts[i].name, s->name, "calls", (double)(root ? wraps.roots : wraps.reciprocals));
+        code = choices_picture(s, choice, parts[i].name, method, power);
+        const unsigned long calls = root ? wraps.roots : wraps.reciprocals;
+        if (!code && calls == 0) {
+            fprintf(stderr, "%s: %s draws without a %s\n", s->path, method, choice);
+            code = 1;
+        }
+        choices_line(choice, parts[i].name, s->name, "calls", (double)calls);
     }
     return code;
 }
@@ -236,6 +242,8 @@ static void choices_power_run(unsigned n, int32_t *value, int count)
             (int32_t)parts_power(&choices_power_now.table, value[i], choices_power_now.bits, choices_power_now.nearest);
 }
 
+static const struct glint_power choices_power_form = {choices_power_run, 0, 0, 0};
+
 static double choices_power_error(unsigned n)
 {
     double most = 0;
@@ -249,7 +257,6 @@ static double choices_power_error(unsigned n)
 
 static int choices_powers(struct choices_scene *s, bool functions)
 {
-    static const struct glint_power form = {choices_power_run, 0, 0, 0};
     char value[32], where[16];
     int code = choices_truth(s, s->packed.scene->camera.reference_width, 1);
     wraps_begin();
@@ -263,7 +270,7 @@ static int choices_powers(struct choices_scene *s, bool functions)
             }
             if (functions)
                 choices_line("power", value, "table", "bytes", 2. * (1u << bits) + 4 + (nearest ? 2 : 4));
-            code = choices_picture(s, "power", value, "duff", &form);
+            code = choices_picture(s, "power", value, "phong", &choices_power_form);
         }
     return code;
 }
@@ -284,9 +291,10 @@ static int choices_scene(struct choices_scene *s, bool first)
     if (!code)
         code = choices_subpixel(s, first);
     if (!code)
-        code = choices_series(s, "reciprocal", parts_reciprocals, PARTS_RECIPROCALS, "six");
+        code = choices_series(s, "reciprocal", parts_reciprocals, PARTS_RECIPROCALS, "six", NULL);
+    choices_power_set(PARTS_POWER_OWN, 0);
     if (!code)
-        code = choices_series(s, "root", parts_roots, PARTS_ROOTS, "duff");
+        code = choices_series(s, "root", parts_roots, PARTS_ROOTS, "phong", &choices_power_form);
     if (!code)
         code = choices_powers(s, first);
     reference_free(&s->truth);
