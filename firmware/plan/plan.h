@@ -52,6 +52,7 @@ struct plan_surface {
     uint8_t lights;
     uint8_t highlights; /* some light has one */
     uint8_t sharp;      /* roundings of N.H in vertex records alone pass the budget: Duff does not do either */
+    uint16_t duff_bend; /* the largest bend for which Duff is taken rather than phong; at most CURVE_MOST_BEND */
     uint16_t full;      /* what all lights together may add before a channel is clamped, Q8 of 1/255 */
     int16_t foot;       /* N.H below which the power is 0, Q14 */
     struct {

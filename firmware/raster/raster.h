@@ -60,8 +60,8 @@ struct raster {
     uint16_t fog_colour[3]; /* Q8 steps */
     uint16_t fog_allowed;   /* error that may be added, Q16 of full intensity */
     struct surface surface;
-    uint16_t budget;                          /* of auto, Q8 of 1/255 */
-    uint16_t surface_material;                /* which one `surface` holds; 0xffff: none */
+    uint16_t budget;                   /* of auto, Q8 of 1/255 */
+    uint16_t surface_material;         /* which one `surface` holds; 0xffff: none */
     const struct table *surface_table; /* made for `surface`; null: none, or not looked for yet */
     void *table;                       /* one for each of the first r->tables materials, table_bytes() each */
     /* the triangle in hand */

@@ -55,16 +55,6 @@ void dots_bulges(const int32_t corner[3], const int32_t middle[3], const struct 
     }
 }
 
-int32_t dots_bulge_bend(const int32_t bulge[3])
-{
-    int32_t most = 0;
-    for (int k = 0; k < 3; k++) {
-        int32_t size = bulge[k] < 0 ? -bulge[k] : bulge[k];
-        most = size > most ? size : most;
-    }
-    return (int32_t)((((uint32_t)most >> 14) * 11) >> 5) + 2;
-}
-
 /* x times a factor in Q16. */
 static int32_t stretched(int32_t x, uint32_t factor)
 {

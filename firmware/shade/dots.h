@@ -41,9 +41,16 @@ void dots_sample(const struct shade_input *in, unsigned light, struct dots_sampl
 /* Bulges in Q28 of samples. */
 void dots_bulges(const int32_t corner[3], const int32_t middle[3], const struct dots_factors *factors, int32_t out[3]);
 
-/* How far a value leaves the linear one, Q14: a third of the largest bulge, rounded up; 2 for the roundings of bulges and
- * corner values. */
-int32_t dots_bulge_bend(const int32_t bulge[3]);
+/* A third of the largest bulge, rounded up, in Q14; 2 for the roundings of bulges and corner values. */
+static inline int32_t dots_bulge_bend(const int32_t bulge[3])
+{
+    int32_t most = 0;
+    for (int k = 0; k < 3; k++) {
+        int32_t size = bulge[k] < 0 ? -bulge[k] : bulge[k];
+        most = size > most ? size : most;
+    }
+    return (int32_t)((((uint32_t)most >> 14) * 11) >> 5) + 2;
+}
 
 /* A quadratic channel of values in Q14 and bulges in Q28, by the cheapest way that holds them. */
 void dots_quadratic(struct shade_setup *setup, const int32_t value[3], const int32_t bulge[3], struct channel *channel);
@@ -101,5 +108,9 @@ static inline __attribute__((always_inline)) int dots_show(struct shade_setup *s
  * `perspective` is not null. */
 void dots_setup(struct shade_setup *setup, const struct shade_input *in, const struct dots_factors *factors,
                 const struct perspective *perspective);
+
+/* duff.c: fills SHADE_SQUARE by |N|^2 or, where that can be drawn straight into the band, 1 - |N|^2: then returns 1,
+ * and N.L is to count in steps. The plane is set up for quadratics. */
+int duff_length(struct shade_setup *setup, const struct shade_input *in);
 
 #endif

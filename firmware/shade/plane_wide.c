@@ -72,9 +72,9 @@ FX_WRAPS void plane_linear_wide(const struct plane *plane, const int32_t value[3
  * product() drops less than a unit before it shifts. So at X, Y <= s from corner 0 a gradient errs by less than
  * 2^(up - 15) (X + Y) in Q46, which is 2^-31 2^32 / det 2 s = 4 / h in Q30; second differences by less than
  * 2^(2 up - 42) (X^2 + Y^2 + X Y), which is 2^-58 2^64 / det^2 3 s^2 = 192 / h^2. What r and r2 err by relatively, less
- * than 2^-28.8, is common to both gradients and to the three second differences, so that it multiplies parts of the value
- * which inside the triangle are below 2^34: less than 2^5.2. The rounded coefficients err as in plane.c however thin it
- * is, and all sums are modulo 2^32. With h >= 1/4 that is 2^12 of Q30 in all, 1/1000 of a display unit.
+ * than 2^-28.8, is common to both gradients and to the three second differences, so that it multiplies parts of the
+ * value which inside the triangle are below 2^34: less than 2^5.2. The rounded coefficients err as in plane.c however
+ * thin it is, and all sums are modulo 2^32. With h >= 1/4 that is 2^12 of Q30 in all, 1/1000 of a display unit.
  * plane_setup_quadratic() asks for det 2^scale >= 2^12, and s 2^scale is below 2^14: det > s / 4.
  */
 void plane_quadratic_wide(const struct plane *plane, const int32_t value[3], const int32_t bulge[3],

@@ -63,7 +63,7 @@ void shade_turn(struct shade_turned *turned, struct shade_input *in, unsigned wo
 /* Channels: per light N.L then N.H (x, six, duff), finished colours (gouraud, color6), or the normal's components
  * and the place's (phong, overveld, biquadratic). */
 #define SHADE_MAX_CHANNELS (2 * SCENE_MAX_LIGHTS + 1)
-#define SHADE_WEIGHT       6 /* beside places in perspective: W of shade/perspective.h, Q30 */
+#define SHADE_WEIGHT       6                      /* beside places in perspective: W of shade/perspective.h, Q30 */
 #define SHADE_SQUARE       (2 * SCENE_MAX_LIGHTS) /* duff: the squared length of the normal */
 
 /*
@@ -154,6 +154,7 @@ static inline unsigned shade_specular(const struct shade_setup *setup)
 void shade_flat(struct shade_setup *setup, const struct shade_input *in);
 void shade_gouraud(struct shade_setup *setup, const struct shade_input *in);
 void shade_planned(struct shade_setup *setup, const struct shade_input *in); /* linear and six, as in->plan says */
+void shade_planned_duff(struct shade_setup *setup, const struct shade_input *in);
 void shade_constant(struct shade_setup *setup, const struct shade_input *in);
 void shade_x(struct shade_setup *setup, const struct shade_input *in);
 void shade_x_perspective(struct shade_setup *setup, const struct shade_input *in);

@@ -10,7 +10,8 @@
 #include "plan/bounds.h"
 #include "shade/shade.h"
 
-/* Corner values, Q14: |value| <= 2^14.2, fold < 2^16. They round to 2^-14 of 256 steps, so the channel errs by 1/128. */
+/* Corner values, Q14: |value| <= 2^14.2, fold < 2^16. They round to 2^-14 of 256 steps, so the channel errs by 1/128.
+ */
 static inline void steps_fold(const struct surface *surface, int32_t value[3])
 {
     for (int k = 0; k < 3; k++)

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "shade/surface.h"
 
+#include "plan/curve.h"
+#include "shade/shade.h"
+
 /* Product of two Q15 numbers of at most 1, rounded. */
 static uint32_t times(uint32_t a, uint32_t b)
 {
@@ -135,6 +138,8 @@ FX_COLD void surface_plan(struct surface *surface, const struct palette *palette
     plan->power = surface->power;
     plan->lights = surface->lights;
     plan->highlights = surface->highlights;
+    /* beyond it, where Phong goes straight into the band, Duff goes by runs */
+    plan->duff_bend = surface_fold(surface) ? SHADE_LENGTH_BEND : CURVE_MOST_BEND;
     plan->foot = (int16_t)((1 << 14) - ((1 << 14) >> surface->power->octave));
     for (unsigned c = 0; c < surface->channels; c++) {
         const uint32_t ambient = in_255(surface->base[c] >> 7, palette->top[c]);
