@@ -267,14 +267,15 @@ static void choices_root(FILE *out, const struct choices *c)
     const double calls = choices_calls(c, "root");
     const double m3 = choices_count(c, "root", "2 terms", "m3") - choices_count(c, "root", "1 term", "m3");
     const double m0 = choices_count(c, "root", "2 terms", "m0plus") - choices_count(c, "root", "1 term", "m0plus");
-    fprintf(
-        out,
-        "<p><b>What to choose: one term</b> for pixels, two for set-up, which turns normals and places by it. Each "
-        "pixel of Duff and Phong takes a reciprocal root, %.0f a picture here: a table of 192 bytes and its series. "
-        "The table alone loses %.1f dB and errs by up to %.1f; one term against two loses %.2f dB and saves %.0f "
-        "instructions a pixel on M3, %.0f on M0+: %.0f and %.0f thousand of a frame.</p>\n",
-        calls, choices_loss(c, "root", "table", "2 terms"), choices_most(c, "root", "table", "max"),
-        choices_loss(c, "root", "1 term", "2 terms"), m3, m0, calls * m3 / 1000, calls * m0 / 1000);
+    fprintf(out,
+            "<p><b>What to choose: one term</b> for pixels, two for set-up, which turns normals and places by it. Each "
+            "pixel of phong, and of duff where it looks no length up, takes a reciprocal root, %.0f a picture here: a "
+            "table "
+            "of 192 bytes and its series. "
+            "The table alone loses %.1f dB and errs by up to %.1f; one term against two loses %.2f dB and saves %.0f "
+            "instructions a pixel on M3, %.0f on M0+: %.0f and %.0f thousand of a frame.</p>\n",
+            calls, choices_loss(c, "root", "table", "2 terms"), choices_most(c, "root", "table", "max"),
+            choices_loss(c, "root", "1 term", "2 terms"), m3, m0, calls * m3 / 1000, calls * m0 / 1000);
 }
 
 /* Every value that a text speaks of has to be there. */
