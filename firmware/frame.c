@@ -50,7 +50,7 @@ static void begin_raster(struct raster *r, const struct glint_frame *f)
         fogged_begin(r, scene, f->config.method->choose && !f->config.method->object);
     r->input.surface = &r->surface;
     r->gloss = r->sum[0];
-    r->input.texture = f->config.texture ? f->config.texture : GLINT_TEXTURE_PERSPECTIVE;
+    r->input.texture = f->config.texture;
     r->input.colours = 0;
     r->input.sampled = f->config.power || scene->camera.viewer != VIEWER_INFINITE;
     for (unsigned i = 0; i < scene->light_count; i++)

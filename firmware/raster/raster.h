@@ -11,7 +11,7 @@
 #include "glint.h"
 #include "plan/fog.h"
 #include "raster/edges.h"
-#include "shade/perspective.h"
+#include "shade/uv.h"
 
 #define RUN                16 /* pixels; a mask bit each */
 #define RASTER_NO_MATERIAL 0xffffu
@@ -76,8 +76,9 @@ struct raster {
             int16_t place[CLIP_MAX_CORNERS][3];
         } begin;
     };
-    uint32_t surface_effects; /* what the surface in hand asks for at each pixel besides lighting: USES_TEXTURE */
-    uint32_t effects;         /* what the triangle does: that, and USES_FOG */
+    uint32_t surface_effects;  /* what the surface in hand asks for at each pixel besides lighting: USES_TEXTURE */
+    uint32_t effects;          /* what the triangle does: that, and USES_FOG */
+    struct uv_corners corners; /* of a triangle whose texture coordinates are split: split.h */
     uint16_t weight[3][3];
     struct shade_turned turned;
     uint16_t colours[3][COLOUR_WORDS];

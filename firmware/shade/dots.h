@@ -41,7 +41,8 @@ void dots_sample(const struct shade_input *in, unsigned light, struct dots_sampl
 /* Bulges in Q28 of samples. */
 void dots_bulges(const int32_t corner[3], const int32_t middle[3], const struct dots_factors *factors, int32_t out[3]);
 
-/* A third of the largest bulge, rounded up, in Q14; 2 for the roundings of bulges and corner values. */
+/* How far a value leaves the linear one, Q14: a third of the largest bulge, rounded up; 2 for the roundings of bulges
+ * and corner values. */
 static inline int32_t dots_bulge_bend(const int32_t bulge[3])
 {
     int32_t most = 0;

@@ -76,6 +76,20 @@ FX_COLD static void take_texture(struct surface_texture *texture, const struct s
     weigh(material->diffuse, texture->grey);
 }
 
+/* Of ambient and diffuse light together, in the channel that has most: Q8, rounded up. */
+FX_COLD static uint32_t most_light(const struct surface *s, const struct palette *palette)
+{
+    uint32_t most = 0;
+    for (unsigned c = 0; c < s->channels; c++) {
+        uint32_t sum = s->base[c] >> 7; /* Q8 steps, at most 9 * 255 * 2^8 */
+        for (unsigned i = 0; i < s->lights; i++)
+            sum += s->light[i].diffuse[c];
+        sum = (sum + palette->top[c]) / palette->top[c];
+        most = sum > most ? sum : most;
+    }
+    return most;
+}
+
 FX_COLD void surface_setup(struct surface *surface, const struct scene_header *scene,
                            const struct scene_material *material, const struct palette *palette)
 {
@@ -102,6 +116,8 @@ FX_COLD void surface_setup(struct surface *surface, const struct scene_header *s
             reflected(palette, material->specular, material->ks, light[i].colour, surface->light[i].specular);
         surface->highlights |= surface->light[i].specular_most != 0;
     }
+    if (USES(USES_TEXTURE) && surface->texture.texels)
+        surface->texture.lit = most_light(surface, palette);
     surface->fold = surface->ambient = 0;
     if (USES(USES_GREY8) && palette->channels == 1 && palette->top[0] == 255 && surface->lights == 1 &&
         !surface_form(surface)) {
@@ -159,6 +175,9 @@ FX_COLD void surface_plan(struct surface *surface, const struct palette *palette
     }
     /* Roundings may take as much as 1 beyond the budget; the rest is the budget's. */
     const uint32_t rough = roughness(plan), excess = rough > ROUNDINGS ? rough - ROUNDINGS : 0;
+    plan->apart = USES(USES_TEXTURE) && surface->texture.texels;
+    if (plan->apart)
+        budget = (uint16_t)(budget - PLAN_TEXTURE_SHARE(budget));
     plan->sharp = excess > budget;
     plan->budget = (uint16_t)(plan->sharp ? 0 : budget - excess);
 }
