@@ -60,8 +60,8 @@ struct raster {
     uint16_t fog_colour[3]; /* Q8 steps */
     uint16_t fog_allowed;   /* error that may be added, Q16 of full intensity */
     struct surface surface;
-    uint16_t budget;                          /* of auto, Q8 of 1/255 */
-    uint16_t surface_material;                /* which one `surface` holds; 0xffff: none */
+    uint16_t budget;                   /* of auto, Q8 of 1/255 */
+    uint16_t surface_material;         /* which one `surface` holds; 0xffff: none */
     const struct table *surface_table; /* made for `surface`; null: none, or not looked for yet */
     void *table;                       /* one for each of the first r->tables materials, table_bytes() each */
     /* the triangle in hand */
@@ -184,6 +184,10 @@ uint32_t table_bytes(unsigned format);
 
 /* Empties r->tables tables. */
 void table_clear(struct raster *r);
+
+/* What r->surface_table costs in accuracy at most, Q8 of 1/255, roundings of the output apart (see table.c); 0 if null.
+ */
+uint16_t table_error(const struct raster *r);
 
 /* Sets r->surface_table to the table of the surface in hand, made anew if it was another's; null if it has none: GREY4,
  * dither, not one light, outside RGB565 another form of the power, or a material beyond the tables. Table i is material

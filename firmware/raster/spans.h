@@ -4,8 +4,8 @@
  * own: spans_draw() with a constant `kind`, one bit of the output's format and those of what stands at a pixel.
  *
  * Depth and channels are stepped by differences from exact values at each span's first pixel, modulo 2^32, so that a
- * pixel depends on its triangle and place alone. A linear case carries what a row begins with from row to row; for
- * quadratic ones that would cost more than it saves, as half of a dense mesh's rows hold no pixel.
+ * pixel depends on its triangle and place alone. Linear cases without highlight carry what a row begins with from row
+ * to row; for the others that would cost more than it saves, as half of a dense mesh's rows hold no pixel.
  *
  * What channels count in, where kind has
  *   SPANS_COLOUR     finished colours, Q24 steps
@@ -27,21 +27,19 @@ enum spans_kind {
     SPANS_GREY8 = 1,
     SPANS_RGB888 = 2,
     /* the pixel: one colour, or */
-    SPANS_COLOUR = 4,      /* finished colours, stepped */
-    SPANS_PLAIN = 8,       /* grey: N.L, ambient part included, nowhere outside the format */
-    SPANS_DIFFUSE = 16,    /* N.L, clamped below */
-    SPANS_HIGHLIGHT = 32,  /* N.H by the material's table */
-    SPANS_QUADRATIC = 64,  /* any of them bends */
-    SPANS_WIDE = 128,      /* see above */
-    SPANS_POWER = 256,     /* grey: N.H, in Q30, by the scene's power table: no memory */
-    SPANS_LENGTH = 512,    /* grey: both over the length of the normal */
+    SPANS_COLOUR = 4,     /* finished colours, stepped */
+    SPANS_PLAIN = 8,      /* grey: N.L, ambient part included, nowhere outside the format */
+    SPANS_DIFFUSE = 16,   /* N.L, clamped below */
+    SPANS_HIGHLIGHT = 32, /* N.H by the material's table */
+    SPANS_QUADRATIC = 64, /* any of them bends */
+    SPANS_WIDE = 128,     /* see above */
+    SPANS_POWER = 256,    /* grey: N.H, in Q30, by the scene's power table: no memory */
+    SPANS_LENGTH = 512,   /* grey: both over the length of the normal */
 };
 
 /* Whether channel 1 is stepped, and whether the third (blue, or SHADE_SQUARE). */
-#define SPANS_H(kind) \
-    (((kind) & SPANS_HIGHLIGHT) != 0 || (((kind) & SPANS_COLOUR) != 0 && ((kind) & SPANS_GREY8) == 0))
-#define SPANS_C(kind) \
-    (((kind) & SPANS_LENGTH) != 0 || (((kind) & SPANS_COLOUR) != 0 && ((kind) & SPANS_GREY8) == 0))
+#define SPANS_H(kind) (((kind)&SPANS_HIGHLIGHT) != 0 || (((kind)&SPANS_COLOUR) != 0 && ((kind)&SPANS_GREY8) == 0))
+#define SPANS_C(kind) (((kind)&SPANS_LENGTH) != 0 || (((kind)&SPANS_COLOUR) != 0 && ((kind)&SPANS_GREY8) == 0))
 
 /* What pixels are made of besides channels. */
 struct spans_look {
@@ -157,8 +155,8 @@ static inline struct spans_place spans_find(const struct raster *r, unsigned kin
     return (struct spans_place){depth, pixels - depth, pixels};
 }
 
-/* Pixels [at, end) of the band. *hidden counts those that are not the nearest; it stays in memory, as the loops need the
- * registers. */
+/* Pixels [at, end) of the band. *hidden counts those that are not the nearest; it stays in memory, as the loops need
+ * the registers. */
 FX_WRAPS static inline __attribute__((always_inline)) void spans_pixels(struct spans_place place, struct spans_values v,
                                                                         uint32_t at, uint32_t end,
                                                                         const struct spans_look *look,
@@ -212,9 +210,8 @@ FX_WRAPS static inline __attribute__((always_inline)) uint32_t spans_start(const
 }
 
 /* The values at column i, row j. */
-FX_WRAPS static inline __attribute__((always_inline)) struct spans_values spans_at(const struct shade_setup *setup,
-                                                                                   uint32_t i, uint32_t j,
-                                                                                   unsigned kind)
+FX_WRAPS static inline __attribute__((always_inline)) struct spans_values
+spans_at(const struct shade_setup *setup, uint32_t i, uint32_t j, unsigned kind)
 {
     const struct polynomial *pl = &setup->channel[0].p, *ph = &setup->channel[1].p,
                             *pc = &setup->channel[kind & SPANS_LENGTH ? SHADE_SQUARE : 2].p;
@@ -235,13 +232,13 @@ FX_WRAPS static inline __attribute__((always_inline)) uint32_t spans_draw(struct
                                                                           struct spans_look look, unsigned kind)
 {
     const struct shade_setup *setup = &r->setup;
-    const int quadratic = (kind & SPANS_QUADRATIC) != 0;
+    const int carried = !(kind & (SPANS_QUADRATIC | SPANS_HIGHLIGHT));
     const uint32_t width = r->width, ox = (uint32_t)setup->plane.ox;
     volatile uint32_t hidden = 0;
     uint32_t j = (uint32_t)(e->row - setup->plane.oy), row = (uint32_t)(e->row - r->y0) * width, covered = 0;
     const struct spans_place place = spans_find(r, kind);
     struct spans_values v = spans_at(setup, 0u - ox, j, kind); /* linear: at the row's column 0 */
-    if (kind & SPANS_COLOUR) { /* to the nearest step */
+    if (kind & SPANS_COLOUR) {                                 /* to the nearest step */
         v.l += 1u << 23;
         v.h += 1u << 23;
         v.c += 1u << 23;
@@ -254,7 +251,7 @@ FX_WRAPS static inline __attribute__((always_inline)) uint32_t spans_draw(struct
             const int32_t x = span->x0, n = span->x1 - x;
             if (n > 0) {
                 struct spans_values first = v;
-                if (quadratic) {
+                if (!carried) {
                     first = spans_at(setup, (uint32_t)x - ox, j, kind);
                 } else {
                     first.z += v.dz * (uint32_t)x;
@@ -266,7 +263,7 @@ FX_WRAPS static inline __attribute__((always_inline)) uint32_t spans_draw(struct
                 covered += (uint32_t)n;
                 spans_pixels(place, first, at, at + (uint32_t)n, &look, &hidden, kind);
             }
-            if (quadratic) {
+            if (!carried) {
                 j++;
             } else {
                 v.z += ez;
@@ -299,11 +296,11 @@ uint32_t spans_rgb888_colours(struct raster *r, struct edges *e);
 uint32_t spans_rgb888_dots(struct raster *r, struct edges *e);
 
 /* A case: none is inlined into another, so that each has all registers to itself. */
-#define SPANS_CASE(name, kind)                                                                                   \
-    FX_WRAPS static __attribute__((noinline)) uint32_t name(struct raster *r, struct edges *e,                   \
-                                                            const struct spans_look *look)                       \
-    {                                                                                                            \
-        return spans_draw(r, e, *look, kind);                                                                    \
+#define SPANS_CASE(name, kind)                                                                 \
+    FX_WRAPS static __attribute__((noinline)) uint32_t name(struct raster *r, struct edges *e, \
+                                                            const struct spans_look *look)     \
+    {                                                                                          \
+        return spans_draw(r, e, *look, kind);                                                  \
     }
 
 #endif
