@@ -113,8 +113,8 @@ void plan_keep(struct shade_plan *plan)
         return;
     if (plan->rung == PLAN_DARK)
         plan->rung = PLAN_LINEAR;
-    plan->diffuse |= plan->hidden_lights;
-    plan->specular |= plan->hidden_highlights;
+    plan->diffuse |= plan->hidden_lights & 1;
+    plan->specular |= plan->hidden_highlights & 1;
 }
 
 void plan_triangle(struct shade_plan *plan, const struct plan_surface *s, const struct plan_triangle *t)

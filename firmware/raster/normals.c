@@ -72,7 +72,7 @@ static inline __attribute__((always_inline)) void add_light(struct raster *r, in
     highlight = normals_lengthened(highlight, lacks);
     uint32_t power = formed ? surface_power(s, highlight) : fx_power(s->power, highlight);
     for (unsigned c = 0; c < surface_channels(s); c++)
-        r->gloss[3 * i + (int)c] += surface_diffuse(power, s->light[l].specular[c]);
+        raster_gloss(r)[3 * i + (int)c] += surface_diffuse(power, s->light[l].specular[c]);
 }
 
 /* By a W of their own: the depth's is exact to a part of the picture's nearest depth, which is not enough of a triangle

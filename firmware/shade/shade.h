@@ -125,10 +125,10 @@ struct shade_setup {
             uint8_t uv_kind;   /* enum glint_texture of `uv` */
         };
     };
-    struct plane plane;
-    struct channel depth;
     struct channel uv[USES(USES_TEXTURE | USES_BUMP) ? 2 : 1]; /* texture coordinates: shade/uv.h */
     uint8_t uv_up;                                             /* of perspective ones: how far closeness is moved up */
+    struct plane plane;
+    struct channel depth; /* the first channel of those in a row: raster/spans_thumb.c */
     union {
         struct channel channel[SHADE_MAX_CHANNELS];
         struct {
@@ -143,6 +143,12 @@ struct shade_setup {
     uint32_t flat[3];   /* flat: the finished colour, Q15 steps */
     struct channel fog; /* its part where that is linear, Q14 */
 };
+
+/* Whether no light but the first shows: the triangle is then drawn as under one light. Once the others are set up. */
+static inline int shade_alone(const struct shade_setup *setup)
+{
+    return !USES(USES_SEVERAL_LIGHTS) || (setup->diffuse_lights | setup->specular_lights) <= 1;
+}
 
 /* The lights whose highlight shows. */
 static inline unsigned shade_specular(const struct shade_setup *setup)

@@ -119,7 +119,7 @@ FX_COLD void surface_setup(struct surface *surface, const struct scene_header *s
     if (USES(USES_TEXTURE) && surface->texture.texels)
         surface->texture.lit = most_light(surface, palette);
     surface->fold = surface->ambient = 0;
-    if (USES(USES_GREY8) && palette->channels == 1 && palette->top[0] == 255 && surface->lights == 1 &&
+    if (USES(USES_GREY8) && palette->channels == 1 && palette->top[0] == 255 && surface->lights &&
         !surface_form(surface)) {
         surface->fold = surface->light[0].diffuse[0];
         surface->ambient = (uint16_t)((surface->base[0] >> 8) + (1 << 6));
@@ -155,7 +155,7 @@ FX_COLD void surface_plan(struct surface *surface, const struct palette *palette
     plan->lights = surface->lights;
     plan->highlights = surface->highlights;
     /* beyond it, where Phong goes straight into the band, Duff goes by runs */
-    plan->duff_bend = surface_fold(surface) ? SHADE_LENGTH_BEND : CURVE_MOST_BEND;
+    plan->duff_bend = surface_fold(surface) && surface->lights == 1 ? SHADE_LENGTH_BEND : CURVE_MOST_BEND;
     plan->foot = (int16_t)((1 << 14) - ((1 << 14) >> surface->power->octave));
     for (unsigned c = 0; c < surface->channels; c++) {
         const uint32_t ambient = in_255(surface->base[c] >> 7, palette->top[c]);

@@ -30,7 +30,7 @@ struct surface {
     uint8_t channels, lights;
     uint8_t bend_limit; /* a bend that moves a channel by less is left out: half a step over all lights, Q8 */
     uint8_t highlights; /* some channel of `specular` is not 0 */
-    /* 8-bit grey under one light (shade/steps.h), else 0: diffuse light in Q16 of 256 steps, and the ambient part with
+    /* 8-bit grey (shade/steps.h), else 0: the first light's diffuse part in Q16 of 256 steps, and the ambient part with
      * the rounding half, Q7 steps */
     uint16_t fold, ambient;
     struct plan_surface plan; /* glint_auto's; its power is null until surface_plan() has filled it */

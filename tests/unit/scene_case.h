@@ -16,7 +16,6 @@ struct scene_case_mesh {
     struct scene_mesh head; /* offsets and counts are filled in */
     const struct scene_vertex *vertices;
     const struct scene_triangle *triangles;
-    const int16_t (*uvs)[2]; /* or null */
     uint32_t vertex_count, triangle_count;
 };
 
@@ -30,6 +29,7 @@ struct scene_case {
     unsigned mesh_count, material_count, light_count, object_count;
     const uint16_t *texels;       /* of material 0, RGB565, or null */
     struct scene_texture texture; /* their size and flags */
+    const int16_t (*uvs)[2];      /* of mesh 0, or null */
 };
 
 /* One mesh, yet without triangles, of extent 1 unit; one white material; one light along +z; one object at the origin,
@@ -142,8 +142,8 @@ static inline struct scene_header *scene_case_blob(const struct scene_case *c)
         mesh[i].triangle_count = from->triangle_count;
         scene_case_take(blob, &mesh[i].vertices, from->vertex_count, sizeof *from->vertices, from->vertices);
         scene_case_take(blob, &mesh[i].triangles, from->triangle_count, sizeof *from->triangles, from->triangles);
-        if (from->uvs)
-            scene_case_take(blob, &mesh[i].uvs, from->vertex_count, sizeof *from->uvs, from->uvs);
+        if (c->uvs && i == 0)
+            scene_case_take(blob, &mesh[i].uvs, from->vertex_count, sizeof *c->uvs, c->uvs);
     }
     blob->effects = scene_effects(blob);
     blob->crc = scene_crc32(0, (const uint8_t *)blob + 16, blob->length - 16);

@@ -84,7 +84,7 @@ static void random_texture(struct scene_case *c)
     c->texture.log2_width = c->texture.log2_height = LOG2;
     c->texture.flags = (uint8_t)(TEXTURE_BILINEAR | random_between(0, 3) * TEXTURE_CLAMP_U);
     c->texels = texels;
-    c->mesh[0].uvs = (const int16_t(*)[2])uvs;
+    c->uvs = (const int16_t(*)[2])uvs;
 }
 
 static void random_lights(struct scene_case *c, unsigned effects)
