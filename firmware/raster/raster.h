@@ -193,6 +193,10 @@ uint32_t table_bytes(unsigned format);
 /* Empties r->tables tables. */
 void table_clear(struct raster *r);
 
+/* What r->surface_table costs in accuracy at most, Q8 of 1/255, roundings of the output apart (see table.c); 0 if null.
+ */
+uint16_t table_error(const struct raster *r);
+
 /* Sets r->surface_table to the table of the surface in hand, made anew if it was another's; null if it has none: GREY4,
  * dither, no light, outside RGB565 another form of the power, or a material beyond the tables. Table i is material
  * i's, so that a picture does not depend on what was drawn before. */

@@ -17,7 +17,7 @@ EFFECT_SRC := $(foreach e,texture texel bump fog sided effects power,$(wildcard 
 SETUP_SRC := $(wildcard tests/setups/setup_*.c)
 # Of the program for Linux, what wants neither libgpiod nor a device.
 LINUX_PARTS := $(filter-out hal/linux/gpio_v% %/kernel.c %/main.c,$(wildcard hal/linux/*.c boards/linux/*.c))
-HOST_SRC := $(wildcard hal/host/*.c hal/panels/*.c host-tools/*/*.c) $(SETUP_SRC) $(LINUX_PARTS) \
+HOST_SRC := $(wildcard hal/host/*.c hal/panels/*.c host-tools/*/*.c) $(SETUP_SRC) tests/choices/parts.c $(LINUX_PARTS) \
 	$(filter-out %/main.c %/start.c,$(wildcard firmware/app/*.c))
 UNIT_SRC := $(wildcard tests/unit/test_*.c)
 EXHAUSTIVE_SRC := $(wildcard tests/exhaustive/*.c)
@@ -31,7 +31,9 @@ GOLDEN_SCENES := mini clip back materials torus288 torus512 torus800 sphere168 s
 BENCH_SCENES := bench-torus288 bench-torus4000
 # What `make report` measures; the first is the page's summary and the README's.
 with_persp = $(foreach s,$(1),$(s) $(if $(wildcard tests/scenes/$(s)-persp.json),$(s)-persp))
-REPORT_SCENES := $(call with_persp,torus288 torus512 torus800 sphere168 sphere690 serpentine zigzag strip teapot896 bulb pawn)
+REPORT_SCENES := $(call with_persp,torus288 torus512 torus800 sphere168 sphere690 serpentine zigzag strip teapot896 teapot896-grey bulb pawn)
+# What it shows beside the truth.
+EFFECT_JSON := $(wildcard $(addprefix tests/scenes/,texture-*.json bump-*.json fog-*.json two-sided-*.json))
 # What it measures as a stream, moving.
 STREAM_SCENES := demo spin-torus800 spin-teapot spin-pawns torus288 torus512 torus800 torus1000 torus800-persp bench-torus4000 sphere690 \
 	bulb pawn serpentine zigzag strip teapot896

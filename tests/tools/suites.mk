@@ -118,8 +118,9 @@ $(BUILD)/report/$(3).csv: $(REPORT_CPUS:%=$(BUILD)/report/%-$(2).csv)
 	$$(Q){ echo $(subst |,$(comma),$(1)); cat $$^; } >$$@
 endef
 comma := ,
-$(eval $(call report_rule,cpu|scene|method|width|height|format|instructions,grey8,costs))
+$(eval $(call report_rule,cpu|scene|method|width|height|format|instructions|picture,grey8,costs))
 $(eval $(call report_rule,cpu|scene|power|exponent|instructions,power,powers))
+$(eval $(call report_rule,cpu|scene|budget_q8|instructions,budget,budgets))
 
 $(BUILD)/report/flash.csv: $(REPORT_CPUS:%=$(BUILD)/%/report.elf) tests/tools/flash.sh
 	@mkdir -p $(@D)
@@ -130,10 +131,12 @@ REPORT_IDEAL := $(wildcard $(REPORT_JSON:.json=-ideal.json))
 STREAM_JSON := $(STREAM_SCENES:%=tests/scenes/%.json)
 # With the boards' section once `make bench-boards` has measured.
 REPORT_BOARDS := $(wildcard $(BUILD)/bench/boards.csv)
-$(BUILD)/report/index.html: $(GLINT) $(REPORT_BOARDS) $(BUILD)/report/costs.csv $(BUILD)/report/flash.csv $(BUILD)/report/powers.csv $(BUILD)/bench/stream.csv \
-		$(REPORT_JSON) $(REPORT_IDEAL) $(STREAM_JSON)
+$(BUILD)/report/index.html: $(GLINT) $(REPORT_BOARDS) $(BUILD)/report/costs.csv $(BUILD)/report/flash.csv $(BUILD)/report/powers.csv $(BUILD)/report/budgets.csv \
+		$(BUILD)/report/choices.csv $(BUILD)/bench/stream.csv \
+		$(REPORT_JSON) $(REPORT_IDEAL) $(STREAM_JSON) $(EFFECT_JSON)
 	$(Q)$(GLINT) report -o $(@D) --costs $(@D)/costs.csv --flash $(@D)/flash.csv --powers $(@D)/powers.csv \
-		--packing $(BUILD)/bench/stream.csv $(STREAM_JSON:%=--stream %) $(REPORT_BOARDS:%=--boards %) $(REPORT_JSON)
+		--budgets $(@D)/budgets.csv --choices $(@D)/choices.csv \
+		--packing $(BUILD)/bench/stream.csv $(EFFECT_JSON:%=--effect %) $(STREAM_JSON:%=--stream %) $(REPORT_BOARDS:%=--boards %) $(REPORT_JSON)
 
 report-page: $(BUILD)/report/index.html
 	@echo "$<"
