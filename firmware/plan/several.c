@@ -188,7 +188,9 @@ static void take_phong(const struct work *w, struct shade_plan *plan)
         const struct curve_values v = values(w, p->light, p->highlight);
         total += w->curve.lines ? curved_error(w, p, &v, moved_curved(w, &v)) : 1u << 16;
     }
-    plan->rung = total > w->s->budget || w->s->sharp || !w->curve.lines ? PLAN_PHONG : PLAN_DUFF;
+    plan->rung = total > w->s->budget || w->s->sharp || w->curve.bend > w->s->duff_bend ? PLAN_PHONG : PLAN_DUFF;
+    for (unsigned i = 0; i < w->parts; i++)
+        *(w->part[i].highlight ? &plan->specular : &plan->diffuse) |= (uint8_t)(1u << w->part[i].light);
     plan->error = (uint16_t)(total > w->s->budget ? 0 : total);
 }
 

@@ -25,9 +25,21 @@ static const struct glint_method six = {.id = GLINT_SIX,
                                         .run = dots_run,
                                         .colours = COLOURS_OF_DOTS};
 
+static void duff_run(struct raster *r, int x, int y, int n)
+{
+    glint_duff.run(r, x, y, n);
+}
+
+static const struct glint_method duff = {.id = GLINT_DUFF,
+                                         .uses_tables = 1,
+                                         .setup = shade_planned_duff,
+                                         .draw = draw_duff,
+                                         .run = duff_run,
+                                         .colours = COLOURS_OF_DOTS};
+
 static const struct glint_method *const rungs[PLAN_RUNGS] = {
     [PLAN_DARK] = &dark, [PLAN_CONSTANT] = &constant, [PLAN_GOURAUD] = &glint_gouraud,         [PLAN_LINEAR] = &linear,
-    [PLAN_SIX] = &six,   [PLAN_DUFF] = &glint_duff,   [PLAN_PHONG] = &glint_phong_perspective,
+    [PLAN_SIX] = &six,   [PLAN_DUFF] = &duff,         [PLAN_PHONG] = &glint_phong_perspective,
 };
 
 static const struct glint_method *choose_planned(struct raster *r)
