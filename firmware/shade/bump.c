@@ -136,10 +136,10 @@ static inline __attribute__((always_inline)) void sample(const struct shade_inpu
 }
 
 /* Whether the triangle is drawn straight into 8-bit grey (raster/bump_grey.c). */
-static int is_straight(const struct shade_setup *setup, const struct shade_input *in)
+static int is_straight(const struct shade_setup *setup, const struct shade_input *in, int quadratic)
 {
     const struct surface *s = in->surface;
-    return surface_fold(s) && in->grey_table && !setup->plane.sliver && !setup->plane.slim &&
+    return surface_fold(s) && in->grey_table && !setup->plane.sliver && !(quadratic && setup->plane.slim) &&
            setup->uv_kind == GLINT_TEXTURE_AFFINE && !(s->bump.flags & (TEXTURE_CLAMP_U | TEXTURE_CLAMP_V));
 }
 
@@ -213,7 +213,7 @@ static inline __attribute__((always_inline)) void setup_lights(struct shade_setu
     if (quadratic)
         plane_setup_quadratic(&setup->plane);
     setup->quadratic = (uint8_t)quadratic;
-    setup->in_steps = (uint8_t)is_straight(setup, in);
+    setup->in_steps = (uint8_t)is_straight(setup, in, quadratic);
     for (unsigned i = 0; i < surface_lights(s); i++) {
         struct samples samples;
         struct channel *channel = setup->bump + BUMP_CHANNELS * i;
@@ -273,7 +273,7 @@ void shade_bump_normalised(struct shade_setup *setup, const struct shade_input *
         sample(in, &corners, i, 0, BUMP_AVERAGE, &samples);
         setup->diffuse_lights |= (uint8_t)(1u << i);
         setup->specular_lights |= (uint8_t)((count == 2) << i);
-        if (!perspective && is_straight(setup, in)) { /* there is one light */
+        if (!perspective && is_straight(setup, in, 1)) { /* there is one light */
             for (int which = 0; which < count; which++) {
                 const int32_t largest = square_bulges((const int16_t(*)[3])samples.corner[which], bulge[which]);
                 most = largest > most ? largest : most;
