@@ -127,9 +127,7 @@ struct shade_setup {
     };
     struct plane plane;
     struct channel depth;
-    struct channel uv[USES(USES_TEXTURE | USES_BUMP) ? 2 : 1]; /* texture coordinates: shade/uv.h */
-    uint8_t uv_up;                                             /* of perspective ones: how far closeness is moved up */
-    union {
+    union { /* behind the depth: raster/spans_thumb.c reads them one after the other */
         struct channel channel[SHADE_MAX_CHANNELS];
         struct {
             struct channel before_rows[6]; /* the place's among them */
@@ -140,8 +138,10 @@ struct shade_setup {
             struct part_split split[PART_DEPTH + 1]; /* a stack, the part in hand on top */
         } parts;
     };
-    uint32_t flat[3];   /* flat: the finished colour, Q15 steps */
-    struct channel fog; /* its part where that is linear, Q14 */
+    uint32_t flat[3];                                          /* flat: the finished colour, Q15 steps */
+    struct channel fog;                                        /* its part where that is linear, Q14 */
+    struct channel uv[USES(USES_TEXTURE | USES_BUMP) ? 2 : 1]; /* texture coordinates: shade/uv.h */
+    uint8_t uv_up;                                             /* of perspective ones: how far closeness is moved up */
 };
 
 /* The lights whose highlight shows. */
