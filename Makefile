@@ -128,7 +128,7 @@ bench-stream: deps-test ## Bytes a picture of a stream, and instructions to pack
 figures: deps-test ## Write the figures of quality and cost in the README files anew
 	$(Q)$(MAKE) --no-print-directory bench-table bench-boards-table report-page
 	$(Q)tests/tools/figures.sh $(GLINT) $(BUILD)/bench/bench.csv $(BUILD)/report/report.csv $(BUILD)/report/stream.csv \
-		$(BUILD)/bench/stream.csv README.md
+		$(BUILD)/bench/stream.csv $(BUILD)/report/sweep.csv README.md
 	$(Q)tests/tools/figures.sh stream $(BUILD)/report/stream.csv $(BUILD)/bench/stream.csv | tests/tools/paste.sh host-tools/README.md
 	$(Q){ $(MAKE) -s --no-print-directory bench-boards-table; echo; } | tests/tools/paste.sh boards/README.md
 	$(Q){ echo; $(MAKE) -s --no-print-directory bench-setup-table | sed "s/^./    &/"; echo; } | tests/tools/paste.sh tests/setups/README.md
@@ -225,6 +225,7 @@ include tests/tools/arm.mk
 include tests/tools/boards.mk
 include boards/linux/linux.mk
 include tests/tools/suites.mk
+include tests/tools/choices.mk
 include tests/tools/rp2040.mk
 include tests/tools/linux.mk
 include tests/tools/faults.mk

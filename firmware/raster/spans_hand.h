@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Loops of spans.h by hand for ARMv6-M, whose compilers keep four of a loop's words in memory: with every register in
- * use and the clamps' rare cases apart, an RGB565 pixel with diffuse light and highlight takes 29 cycles instead of 45 on
- * a Cortex-M0+. The bits are the same. spans_thumb.c knows these offsets.
+ * use and the clamps' rare cases apart, an RGB565 pixel with diffuse light and highlight takes 29 cycles instead of 45
+ * on a Cortex-M0+. The bits are the same. spans_thumb.c knows these offsets.
  */
 #ifndef GLINT_SPANS_HAND_H
 #define GLINT_SPANS_HAND_H
@@ -18,11 +18,11 @@
 struct spans_hand {
     const struct channel *channel; /* depth, N.L, N.H, one behind the other */
     const struct span *span, *last;
-    uint8_t *row;          /* of the depth, its column 0 */
-    uint32_t stride, j;    /* bytes a row; the row from the origin */
-    uint32_t ox;           /* the origin's column */
-    const uint16_t *table; /* struct table's entries */
-    uintptr_t to_pixels;   /* from a depth's address, in grey from half of it, to the pixel's */
+    uint8_t *row;             /* of the depth, its column 0 */
+    uint32_t stride, j;       /* bytes a row; the row from the origin */
+    uint32_t ox;              /* the origin's column */
+    const uint16_t *table;    /* struct table's entries */
+    uintptr_t to_pixels;      /* from a depth's address, in grey from half of it, to the pixel's */
     uint32_t covered, hidden; /* pixels, added to */
 };
 void spans_hand_diffuse(struct spans_hand *rows);

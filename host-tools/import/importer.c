@@ -107,6 +107,9 @@ static const char *read_mesh(const struct aiMesh *in, uint32_t material, struct 
             return "a vertex is not finite, or too far away";
         const double position[3] = {p->x, p->y, p->z};
         model_add_vertex(out, position, n ? (const double[3]){n->x, n->y, n->z} : none, uv ? uv->x : 0, uv ? uv->y : 0);
+        if (in->mTangents) /* glTF's; tangents_make() makes others, and takes no notice of what is not finite */
+            memcpy(out->vertices[first + i].tangent,
+                   (double[]){in->mTangents[i].x, in->mTangents[i].y, in->mTangents[i].z}, 3 * sizeof(double));
         out->has_uvs |= uv && isfinite(uv->x) && isfinite(uv->y);
     }
     for (unsigned i = 0; i < in->mNumFaces; i++) {
@@ -130,8 +133,7 @@ static const struct aiScene *load(const char *path)
     aiSetImportPropertyInteger(properties, AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     aiSetImportPropertyInteger(properties, AI_CONFIG_PP_RVC_FLAGS,
                                aiComponent_COLORS | aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS |
-                                   aiComponent_TEXTURES | aiComponent_LIGHTS | aiComponent_CAMERAS |
-                                   aiComponent_TANGENTS_AND_BITANGENTS);
+                                   aiComponent_TEXTURES | aiComponent_LIGHTS | aiComponent_CAMERAS);
     const struct aiScene *scene = aiImportFileExWithProperties(path, steps, NULL, properties);
     aiReleasePropertyStore(properties);
     return scene;

@@ -158,7 +158,7 @@ static json_t *json_effects(const struct scene_header *s)
 {
     json_t *array = json_array();
     for (const struct uses_name *n = uses_names; n->name; n++)
-        if (scene_effects(s) & n->bit)
+        if (s->effects & n->bit)
             json_array_append_new(array, json_string(n->name));
     return array;
 }

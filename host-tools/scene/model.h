@@ -17,6 +17,8 @@ struct model_vertex {
     double position[3];
     double normal[3]; /* need not be unit; zero when there is none */
     double uv[2];
+    double tangent[3]; /* along growing u; zero: none given */
+    double sign;       /* of the frame, tangents_make()'s */
 };
 
 struct model_triangle {
@@ -49,7 +51,8 @@ struct model_texture {
     int format; /* enum scene_texture_format */
     bool bilinear, clamp[2];
     unsigned width, height;
-    uint8_t *rgb; /* top row first */
+    uint8_t *rgb;         /* top row first */
+    double (*normals)[3]; /* of TEXTURE_BUMP8 instead, unit */
 };
 
 struct model_fog {
