@@ -91,10 +91,10 @@ static int report(const char *path, const char *output, const struct measure *m,
     for (size_t b = 0; b < BUDGETS; b++) {
         const struct measure_worst *w = &result->worst[b];
         const struct budget_view *v = &result->view[b];
-        if (w->error > budgets[b] + more)
-            printf(
-                "  budget %g: %.2f of a truth of %.2f at (%u, %u), channel %u, triangle %u, turned by %u %u at %u ms\n",
-                budgets[b], w->error, w->truth, w->x, w->y, w->channel, w->triangle, v->yaw, v->pitch, v->time_ms);
+        if (w->error <= budgets[b] + more)
+            continue;
+        printf("  budget %g: %.2f of a truth of %.2f at (%u, %u), channel %u, triangle %u, turned by %u %u at %u ms\n",
+               budgets[b], w->error, w->truth, w->x, w->y, w->channel, w->triangle, v->yaw, v->pitch, v->time_ms);
         break;
     }
     fflush(stdout);
