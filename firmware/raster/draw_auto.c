@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The methods between which glint_auto chooses, a triangle each. */
 #include "raster/dots.h"
+#include "raster/fogged.h"
 #include "shade/colour.h"
 
 static void constant_run(struct raster *r, int x, int y, int n)
@@ -45,6 +46,7 @@ static const struct glint_method *const rungs[PLAN_RUNGS] = {
 static void plan_surface(struct raster *r)
 {
     surface_plan(&r->surface, &r->palette, r->budget);
+    r->plan_budget = r->surface.plan.budget;
     r->plan_table = r->surface_table;
     r->table_off = table_error(r);
 }
@@ -78,6 +80,8 @@ static const struct glint_method *choose_planned(struct raster *r)
     struct shade_input *in = &r->input;
     if (!r->surface.plan.power)
         plan_surface(r);
+    if (USES(USES_FOG))
+        r->surface.plan.budget = fogged_budget(r);
     if (object_local(in->object)) { /* corner values say nothing of what lies between: each place has its vectors */
         in->plan = (struct shade_plan){.rung = PLAN_PHONG};
     } else {

@@ -60,6 +60,7 @@ struct raster {
     uint16_t fog_colour[3]; /* Q8 steps */
     uint16_t fog_allowed;   /* error that may be added, Q16 of full intensity */
     uint8_t fog_planned;    /* by auto: it is part of input.plan */
+    uint16_t plan_budget;   /* what surface.plan has without fog */
     struct surface surface;
     uint16_t budget;                   /* of auto, Q8 of 1/255 */
     uint16_t surface_material;         /* which one `surface` holds; 0xffff: none */
