@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The methods between which glint_auto chooses, a triangle each. */
+#include "raster/bump.h"
 #include "raster/dots.h"
 #include "shade/colour.h"
 
@@ -35,6 +36,8 @@ static const struct glint_method *choose_planned(struct raster *r)
     struct shade_input *in = &r->input;
     if (!r->surface.plan.power)
         surface_plan(&r->surface, &r->palette, r->budget);
+    if (surface_bumps(&r->surface))
+        return bump_planned(r);
     if (object_local(in->object)) { /* corner values say nothing of what lies between: each place has its vectors */
         in->plan = (struct shade_plan){.rung = PLAN_PHONG};
     } else {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Bump mapping: N'.L' and N'.H' of vectors that shade/bump.c has interpolated; clamp, power and sum per pixel. */
+#include "plan/bump.h"
 #include "raster/bump.h"
 #include "raster/runs.h"
 #include "shade/bump.h"
@@ -190,3 +191,22 @@ const struct glint_method glint_bump_normalised = {.id = GLINT_BUMP_NORMALISED,
                                                    .choose = choose_normalised,
                                                    .run = run_normalised,
                                                    .colours = COLOURS_OF_DOTS};
+
+const struct glint_method *bump_planned(struct raster *r)
+{
+    static const struct glint_method *const methods[] = {&glint_bump_linear, &glint_bump_quadratic,
+                                                         &glint_bump_normalised};
+    static const uint8_t rungs[] = {PLAN_LINEAR, PLAN_SIX, PLAN_PHONG};
+    const struct shade_input *in = &r->input;
+    const uint32_t shift = in->divides ? plan_shift(in->place) : 0;
+    uint16_t bend[SCENE_MAX_LIGHTS][2][3];
+    struct plan_bump sum = {0, 0};
+    bump_bends(in, bend);
+    for (unsigned i = 0; i < surface_lights(&r->surface); i++)
+        plan_bump_light(&sum, &r->surface.plan, i, (const uint16_t(*)[3])bend[i], shift);
+    r->input.plan = (struct shade_plan){0};
+    const enum plan_bump_kind kind = plan_bump_choose(&sum, &r->surface.plan, &r->input.plan.error);
+    r->input.plan.rung = rungs[kind];
+    r->input.plan.undivided = in->divides && kind != PLAN_BUMP_NORMALISED;
+    return methods[kind];
+}
