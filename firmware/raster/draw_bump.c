@@ -62,15 +62,25 @@ static inline __attribute__((always_inline)) void add_diffuse(struct raster *r, 
             add(sum, (uint32_t)r->value[0][i] >> 15, r->surface.light[l].diffuse, channels);
 }
 
+/* The run's N'.H' to powers: by the table, or by another form. */
+RUNS_APART static void find_powers(struct raster *r, int n)
+{
+    const struct glint_power *form = surface_form(&r->surface);
+    if (form) {
+        form->run(r->surface.power->exponent, r->value[0], n);
+        return;
+    }
+    for (int i = 0; i < n; i++)
+        r->value[0][i] = (int32_t)fx_power(r->surface.power, r->value[0][i]);
+}
+
 static inline __attribute__((always_inline)) void add_highlight(struct raster *r, int n, unsigned l, unsigned channels)
 {
-    const struct surface *s = &r->surface;
     uint32_t *sum = r->gloss;
-    for (int i = 0; i < n; i++, sum += 3) {
-        const uint32_t power = surface_power(s, r->value[0][i]);
-        if (power)
-            add(sum, power, s->light[l].specular, channels);
-    }
+    find_powers(r, n);
+    for (int i = 0; i < n; i++, sum += 3)
+        if (r->value[0][i])
+            add(sum, (uint32_t)r->value[0][i], r->surface.light[l].specular, channels);
 }
 
 /* A template: `channels` and `normalised` are constant. */
