@@ -16,9 +16,11 @@
 #define GLINT_MAX_SIZE 2048u /* pixels, either way */
 
 enum glint_error {
-    GLINT_E_ARGUMENT = -1, /* a size, format or method that does not exist, or a null pointer */
+    GLINT_E_ARGUMENT = -1, /* a size, format or method that does not exist or that this program was compiled without,
+                              or a null pointer */
     GLINT_E_MEMORY = -2,   /* config.memory is smaller than glint_memory_needed() or not aligned */
-    GLINT_E_SCENE = -3,    /* not a scene this version reads; glint_scene_problem() says why */
+    GLINT_E_SCENE = -3,    /* not a scene this version reads, or one that needs an effect that this program was compiled
+                              without (uses.h); glint_scene_problem() says why */
 };
 
 enum glint_format {
@@ -137,7 +139,7 @@ struct glint_config {
     uint16_t width, height; /* of the picture, 1..2048 */
     uint16_t band_rows;     /* rows a band, 1..height */
     uint8_t format;         /* enum glint_format */
-    uint8_t flags;          /* GLINT_DITHER, GLINT_NO_PLAN */
+    uint8_t flags;          /* GLINT_DITHER, GLINT_NO_PLAN, GLINT_EVERY_ZIGZAG */
     const struct glint_method *method;
     const struct glint_power *power; /* null: the table */
     uint8_t texture;                 /* enum glint_texture */
@@ -176,6 +178,10 @@ struct glint_stats {
     uint32_t highlight_tests;       /* triangles tested for a highlight, when the frame begins: those of all objects */
     uint32_t potentially_highlighted; /* those of them that may hold one's centre */
     uint32_t setups;                  /* triangle set-ups: one a triangle and band that it touches */
+    uint32_t turned;                  /* triangles of which the back is seen, and drawn */
+    uint32_t fogged;                  /* of the drawn: those that some fog reaches */
+    uint32_t fogged_by_pixel;         /* of them, those whose fog is found for each pixel anew */
+    uint32_t fogged_wholly;           /* of them, those that are all fog: unlit */
     /* Of the drawn by auto: what was left out, and the bound of the error that this allows. */
     uint32_t hidden_lights;      /* pairs of a triangle and a light that reaches no pixel of it: exact */
     uint32_t hidden_highlights;  /* whose highlight reaches none: exact */

@@ -213,6 +213,7 @@ enum scene_fault {
     SCENE_E_STRUCTURE = -6, /* an array outside the blob, overlapping the header, misaligned or too long */
     SCENE_E_INDEX = -7,     /* a reference to something that is not there */
     SCENE_E_RANGE = -8,     /* a value outside the range given above */
+    SCENE_E_USES = -9,      /* a good scene, but it needs what this program was compiled without (uses.h) */
 };
 
 /* Checks all of the blob: 0, or what is wrong. `size` may exceed the blob's own length (flash behind it). Reads

@@ -310,5 +310,7 @@ enum scene_fault scene_check(const void *blob, size_t size)
         fault = check_light(s, &scene_lights(s)[i]);
     if (!fault && ((s->effects & ~USES_EFFECTS) != 0 || (scene_effects(s) & ~s->effects) != 0))
         fault = SCENE_E_RANGE;
+    if (!fault && (s->effects & ~GLINT_USES) != 0)
+        fault = SCENE_E_USES;
     return fault;
 }

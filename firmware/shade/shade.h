@@ -135,9 +135,7 @@ struct shade_setup {
     };
     struct plane plane;
     struct channel depth;
-    struct channel uv[USES(USES_TEXTURE | USES_BUMP) ? 2 : 1]; /* texture coordinates: shade/uv.h */
-    uint8_t uv_up;                                             /* of perspective ones: how far closeness is moved up */
-    union {
+    union { /* behind the depth: raster/spans_thumb.c reads them one after the other */
         struct channel channel[SHADE_MAX_CHANNELS];
         struct channel bump[SHADE_BUMP_CHANNELS];
         struct {
@@ -149,9 +147,17 @@ struct shade_setup {
             struct part_split split[PART_DEPTH + 1]; /* a stack, the part in hand on top */
         } parts;
     };
-    uint32_t flat[3];   /* flat: the finished colour, Q15 steps */
-    struct channel fog; /* its part where that is linear, Q14 */
+    uint32_t flat[3];                                          /* flat: the finished colour, Q15 steps */
+    struct channel fog;                                        /* its part where that is linear, Q14 */
+    struct channel uv[USES(USES_TEXTURE | USES_BUMP) ? 2 : 1]; /* texture coordinates: shade/uv.h */
+    uint8_t uv_up;                                             /* of perspective ones: how far closeness is moved up */
 };
+
+/* Whether no light but the first shows: the triangle is then drawn as under one light. Once the others are set up. */
+static inline int shade_alone(const struct shade_setup *setup)
+{
+    return !USES(USES_SEVERAL_LIGHTS) || (setup->diffuse_lights | setup->specular_lights) <= 1;
+}
 
 /* The lights whose highlight shows. */
 static inline unsigned shade_specular(const struct shade_setup *setup)
@@ -163,6 +169,7 @@ static inline unsigned shade_specular(const struct shade_setup *setup)
 void shade_flat(struct shade_setup *setup, const struct shade_input *in);
 void shade_gouraud(struct shade_setup *setup, const struct shade_input *in);
 void shade_planned(struct shade_setup *setup, const struct shade_input *in); /* linear and six, as in->plan says */
+void shade_planned_duff(struct shade_setup *setup, const struct shade_input *in);
 void shade_constant(struct shade_setup *setup, const struct shade_input *in);
 void shade_x(struct shade_setup *setup, const struct shade_input *in);
 void shade_x_perspective(struct shade_setup *setup, const struct shade_input *in);

@@ -29,6 +29,7 @@ struct surface_texture {
     const void *texels; /* null: none */
     const uint32_t *palette;
     const struct scene_texture *head;
+    uint32_t lit;     /* the most light that it can be under, Q8 of full intensity, rounded up */
     uint16_t grey[3]; /* what red, green and blue of a texel count in a grey picture, Q8, of sum 1 */
 };
 
@@ -38,7 +39,7 @@ struct surface {
     uint8_t channels, lights;
     uint8_t bend_limit; /* a bend that moves a channel by less is left out: half a step over all lights, Q8 */
     uint8_t highlights; /* some channel of `specular` is not 0 */
-    /* 8-bit grey under one light (shade/steps.h), else 0: diffuse light in Q16 of 256 steps, and the ambient part with
+    /* 8-bit grey (shade/steps.h), else 0: the first light's diffuse part in Q16 of 256 steps, and the ambient part with
      * the rounding half, Q7 steps */
     uint16_t fold, ambient;
     struct plan_surface plan; /* glint_auto's; its power is null until surface_plan() has filled it */

@@ -77,7 +77,7 @@ static void print_texture(FILE *out, const struct pack_texture_report *t)
 void report_print_effects(FILE *out, const struct scene_header *s)
 {
     fputs("effects ", out);
-    uses_print(out, scene_effects(s));
+    uses_print(out, s->effects);
     fputc('\n', out);
 }
 
