@@ -75,7 +75,7 @@ static int choose_kind(struct raster *r, const struct glint_method *method)
         kind = GLINT_TEXTURE_QUADRATIC;
     if (kind == GLINT_TEXTURE_SPLIT && method->run && split_begin(r, &uv))
         return 1;
-    uv_setup(&r->setup, &uv, kind);
+    uv_setup_corners(&r->setup, &uv, kind);
     return 0;
 }
 

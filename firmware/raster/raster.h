@@ -19,9 +19,9 @@
 #define SPANS 32 /* rows scan-converted at a time */
 
 /*
- * What one material is under the first light, see table.c. RGB565: colours [highlight step][diffuse step], TABLE_HIGHLIGHT by
- * TABLE_DIFFUSE. GREY8, RGB888: ambient part and highlight by highlight step, 2^TABLE_BITS entries of 1 or 4 (r, g, b,
- * none) numbers. Row or entry 0 has no highlight.
+ * What one material is under the first light, see table.c. RGB565: colours [highlight step][diffuse step],
+ * TABLE_HIGHLIGHT by TABLE_DIFFUSE. GREY8, RGB888: ambient part and highlight by highlight step, 2^TABLE_BITS entries
+ * of 1 or 4 (r, g, b, none) numbers. Row or entry 0 has no highlight.
  */
 #define TABLE_DIFFUSE   64
 #define TABLE_HIGHLIGHT 128

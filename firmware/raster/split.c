@@ -109,7 +109,7 @@ static uint32_t draw_part(struct raster *r, struct edges *e, runs_shade *shade, 
 {
     uint32_t drawn = 0;
     if (!uv || !set_channels(r, uv, corner))
-        uv_setup(&r->setup, &r->corners, GLINT_TEXTURE_PERSPECTIVE);
+        uv_setup_corners(&r->setup, &r->corners, GLINT_TEXTURE_PERSPECTIVE);
     do
         drawn += effects_draw(r, e, shade);
     while (fine_setup(e, place, r->width, r->height, e->last, r->y1));
