@@ -55,7 +55,7 @@ static int glosses(const struct raster *r, const struct glint_method *method)
 }
 
 /* Sets up how texture coordinates are found, if the set-up of a bump map has not. 1: by splitting. */
-static int choose_kind(struct raster *r, const struct glint_method *method)
+static __attribute__((noinline)) int choose_kind(struct raster *r, const struct glint_method *method)
 {
     struct shade_input *in = &r->input;
     const struct surface_texture *texture = &r->surface.texture;
