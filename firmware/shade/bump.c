@@ -315,7 +315,7 @@ void shade_bump_normalised(struct shade_setup *setup, const struct shade_input *
             const int16_t(*corner)[3] = (const int16_t(*)[3])samples.corner[which];
             const int16_t *const ends[3] = {corner[0], corner[1], corner[2]};
             if (perspective)
-                piece_vectors_perspective(setup, in, perspective, ends, 0, channel);
+                piece_vectors_perspective(setup, in, perspective, ends, channel);
             else
                 piece_vectors(setup, in, ends, channel);
         }
