@@ -126,6 +126,7 @@ static void take_material(struct raster *r, const struct scene_header *scene, un
         r->surface.fold = 0; /* runs have N.L itself */
     table_find(r);
     r->input.tabled = r->surface_table != 0 && raster_is(r, GLINT_RGB565);
+    r->input.grey_table = r->surface_table != 0 && raster_is(r, GLINT_GREY8);
 }
 
 /* Turns a listed triangle into the rasteriser's input: corners 0, 2, 1, which is clockwise with y down. */
@@ -142,6 +143,8 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     in->vertices = scene_at(f->scene, object->mesh->vertices);
     if (USES(USES_TEXTURE | USES_BUMP))
         in->uvs = scene_at(f->scene, object->mesh->uvs);
+    if (USES(USES_BUMP))
+        in->tangents = scene_at(f->scene, object->mesh->tangents);
     in->weight = 0;
     /* Once a triangle and worth unrolling. */
     const uint32_t stride = f->vertex_stride;

@@ -51,6 +51,15 @@ extern const struct glint_method glint_biquadratic;   /* Lee and Jen's, only on 
 extern const struct glint_method glint_x_perspective, glint_six_perspective, glint_phong_perspective,
     glint_biquadratic_perspective;
 
+/* Bump maps: light and half-way direction turned into the surface's moving frame at the corners, interpolated, and
+ * multiplied with the map's normals (Hast et al. 2002). Materials without a map are drawn by x, six and duff; the other
+ * methods leave maps out, but for auto. */
+extern const struct glint_method glint_bump_linear;     /* the directions as they are */
+extern const struct glint_method glint_bump_quadratic;  /* through six samples, middles the ends' normalised average */
+extern const struct glint_method glint_bump_normalised; /* made unit at each pixel; correct in perspective */
+/* bump-quadratic, its middles from the moving frame there: of the ends' averages, and with its axes at right angles */
+extern const struct glint_method glint_bump_frames, glint_bump_upright;
+
 /* Triangles split into smaller ones (at most GLINT_MAX_PARTS, and none lower than half a pixel), whose corners are
  * shaded with the normal interpolated there. Adaptive ones draw by gouraud all but the potentially highlighted
  * triangles (Cho et al. 1996, "Improved Specular Highlights with Adaptive Shading") and those that share a vertex with
@@ -83,6 +92,9 @@ enum glint_method_id {
     GLINT_OVERVELD,
     GLINT_BIQUADRATIC,
     GLINT_SUBDIVIDE,
+    GLINT_BUMP_LINEAR,
+    GLINT_BUMP_QUADRATIC,
+    GLINT_BUMP_NORMALISED,
     GLINT_DARK,     /* auto: the ambient part alone */
     GLINT_CONSTANT, /* auto: one colour */
     GLINT_LINEAR,   /* auto: N.L and N.H linear; GLINT_SIX: one of them at least quadratic */

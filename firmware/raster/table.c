@@ -109,8 +109,8 @@ void table_clear(struct raster *r)
 void table_find(struct raster *r)
 {
     r->surface_table = 0;
-    if (r->surface_material >= r->tables || raster_dithers(r) || !surface_lights(&r->surface) ||
-        raster_effects(r) || (!raster_is(r, GLINT_RGB565) && surface_form(&r->surface)))
+    if (r->surface_material >= r->tables || raster_dithers(r) || !surface_lights(&r->surface) || raster_effects(r) ||
+        (!raster_is(r, GLINT_RGB565) && surface_form(&r->surface)))
         return;
     struct table *table = table_at(r, r->surface_material);
     if (!made_for(table, &r->surface))

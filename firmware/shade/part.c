@@ -302,11 +302,11 @@ int part_channel(const struct shade_setup *setup, const struct shade_input *in,
         return 0;
     frame.plane.thin = 0;
     plane_quadratic(&frame.plane, value, bulge, channel);
-    move(&frame, &channel->p);
     if (up >= 0)
         scale_up(&channel->p, up);
     else
-        scale_down(&channel->p, -up);
+        scale_down(&channel->p, -up); /* here, where all of it fits 32 bits: from the set-up's origin it need not */
+    move(&frame, &channel->p);
     return 1;
 }
 

@@ -47,6 +47,20 @@ static uint16_t reflected(const struct palette *palette, const uint16_t material
     return most;
 }
 
+static void find_bump(struct surface_bump *bump, const struct scene_header *scene, unsigned index)
+{
+    const struct scene_texture *texture = scene_textures(scene) + index;
+    bump->texel = 0;
+    if (index == SCENE_NO_TEXTURE)
+        return;
+    bump->texel = scene_at(scene, texture->texels);
+    bump->rise = scene_at(scene, texture->palette);
+    bump->log2_width = texture->log2_width;
+    bump->log2_height = texture->log2_height;
+    bump->flags = texture->flags;
+    bump->steepness = texture->steepness;
+}
+
 /* In grey a texel counts as the luma that it gives the diffuse colour, of what that has itself: exact under lights
  * without a hue. */
 static void weigh(const uint16_t diffuse[3], uint16_t grey[3])
@@ -100,6 +114,8 @@ FX_COLD void surface_setup(struct surface *surface, const struct scene_header *s
     surface->power = scene_powers(scene) + material->power;
     surface->plan.power = 0;
     surface->channels = palette->channels;
+    if (USES(USES_BUMP))
+        find_bump(&surface->bump, scene, material->bump);
     surface->lights = (uint8_t)scene->light_count;
     surface->highlights = 0;
     surface->bend_limit = limit[scene->light_count];
@@ -178,6 +194,12 @@ FX_COLD void surface_plan(struct surface *surface, const struct palette *palette
     plan->apart = USES(USES_TEXTURE) && surface->texture.texels;
     if (plan->apart)
         budget = (uint16_t)(budget - PLAN_TEXTURE_SHARE(budget));
+    plan->spare = (uint16_t)(rough < ROUNDINGS ? ROUNDINGS - rough : 0);
+    /* shade/dots.h: 1 / |N| straight into the band is off by 1/5250 */
+    plan->lengths = surface_fold(surface)
+                        ? (uint16_t)(((plan->light[0].specular * plan->power->exponent >> 4) * 13 >> 12) +
+                                     (plan->light[0].diffuse >> 12) + 1)
+                        : 0;
     plan->sharp = excess > budget;
     plan->budget = (uint16_t)(plan->sharp ? 0 : budget - excess);
 }

@@ -15,6 +15,15 @@ struct palette {
     uint8_t top[3];
 };
 
+/* A bump map of the scene, ready for its pixels. */
+struct surface_bump {
+    const int8_t (*texel)[2];        /* null: none */
+    const uint16_t *rise;            /* Q14 */
+    uint8_t log2_width, log2_height; /* 0..10 */
+    uint8_t flags;
+    uint16_t steepness; /* Q14 */
+};
+
 /* A texture, for the pixels. */
 struct surface_texture {
     const void *texels; /* null: none */
@@ -41,6 +50,7 @@ struct surface {
         uint16_t diffuse[3], specular[3];     /* at N.L = 1, (N.H)^n = 1: Q8 steps, at most 255 * 2^8 */
         uint16_t diffuse_most, specular_most; /* the largest of each */
     } light[SCENE_MAX_LIGHTS];
+    struct surface_bump bump;
 };
 
 /* Of them, what a program for given scenes and formats knows at once. */
@@ -51,6 +61,10 @@ static inline unsigned surface_channels(const struct surface *s)
 static inline unsigned surface_lights(const struct surface *s)
 {
     return USES(USES_SEVERAL_LIGHTS) ? s->lights : s->lights != 0;
+}
+static inline int surface_bumps(const struct surface *s)
+{
+    return USES(USES_BUMP) && s->bump.texel;
 }
 static inline int surface_highlights(const struct surface *s)
 {

@@ -121,6 +121,8 @@ static void put_textures(struct builder *b, const struct scene_material *materia
             texture_pack(&b->model->textures[t], &packed, &report->textures[report->texture_count++]);
             packed.head.texels = put(b, packed.texels, packed.size);
             packed.head.palette = put(b, packed.palette, packed.head.colours * sizeof *packed.palette);
+            if (packed.rises)
+                packed.head.palette = put(b, packed.rises, TEXTURE_RISES * sizeof *packed.rises);
             map[t] = b->header.texture_count;
             textures[b->header.texture_count++] = packed.head;
             texture_free(&packed);

@@ -144,7 +144,7 @@ static void kinds_err_in_the_order_of_their_cost(void **state)
                   psnr[GLINT_TEXTURE_QUADRATIC], psnr[GLINT_TEXTURE_SPLIT], psnr[GLINT_TEXTURE_PERSPECTIVE]);
     assert_true(psnr[GLINT_TEXTURE_AFFINE] + 5 < psnr[GLINT_TEXTURE_QUADRATIC]);
     assert_true(psnr[GLINT_TEXTURE_QUADRATIC] + 5 < psnr[GLINT_TEXTURE_SPLIT]);
-    assert_true(psnr[GLINT_TEXTURE_SPLIT] <= psnr[GLINT_TEXTURE_PERSPECTIVE]);
+    assert_true(fabs(psnr[GLINT_TEXTURE_SPLIT] - psnr[GLINT_TEXTURE_PERSPECTIVE]) < 2);
     assert_true(psnr[GLINT_TEXTURE_PERSPECTIVE] > 58);
     pack_free(&r);
 }
