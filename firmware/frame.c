@@ -50,7 +50,7 @@ static void begin_raster(struct raster *r, const struct glint_frame *f)
         fogged_begin(r, scene, f->config.method->choose && !f->config.method->object);
     r->input.surface = &r->surface;
     r->gloss = r->sum[0];
-    r->input.texture = f->config.texture ? f->config.texture : GLINT_TEXTURE_PERSPECTIVE;
+    r->input.texture = f->config.texture;
     r->input.colours = 0;
     r->input.sampled = f->config.power || scene->camera.viewer != VIEWER_INFINITE;
     for (unsigned i = 0; i < scene->light_count; i++)
@@ -77,6 +77,8 @@ FX_COLD int glint_frame_begin(struct glint_frame *f, const void *scene, uint32_t
     if (!f || !scene)
         return GLINT_E_ARGUMENT;
     if (header->magic != SCENE_MAGIC || header->version != SCENE_VERSION || header->light_count > f->config.max_lights)
+        return GLINT_E_SCENE;
+    if ((header->effects & ~GLINT_USES) != 0)
         return GLINT_E_SCENE;
     f->scene = header;
     f->light_count = (uint8_t)header->light_count;
@@ -118,11 +120,13 @@ static void take_material(struct raster *r, const struct scene_header *scene, un
 {
     r->surface_material = (uint16_t)material;
     surface_setup(&r->surface, scene, scene_materials(scene) + material, &r->palette);
-    effects_surface(r);
+    if (USES(USES_TEXTURE | USES_FOG))
+        effects_surface(r);
     if (raster_effects(r))
         r->surface.fold = 0; /* runs have N.L itself */
     table_find(r);
     r->input.tabled = r->surface_table != 0 && raster_is(r, GLINT_RGB565);
+    r->input.grey_table = r->surface_table != 0 && raster_is(r, GLINT_GREY8);
 }
 
 /* Turns a listed triangle into the rasteriser's input: corners 0, 2, 1, which is clockwise with y down. */
@@ -139,6 +143,8 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     in->vertices = scene_at(f->scene, object->mesh->vertices);
     if (USES(USES_TEXTURE | USES_BUMP))
         in->uvs = scene_at(f->scene, object->mesh->uvs);
+    if (USES(USES_BUMP))
+        in->tangents = scene_at(f->scene, object->mesh->tangents);
     in->weight = 0;
     /* Once a triangle and worth unrolling. */
     const uint32_t stride = f->vertex_stride;
@@ -179,6 +185,13 @@ static void count_plan(struct glint_stats *stats, const struct shade_plan *plan)
         stats->largest_error = plan->error;
 }
 
+static void count_fog(struct glint_stats *stats, unsigned kind)
+{
+    stats->fogged += kind != FOGGED_NOT;
+    stats->fogged_by_pixel += kind == FOGGED_BY_PIXEL;
+    stats->fogged_wholly += kind == FOGGED_WHOLLY;
+}
+
 static void draw_triangle(struct glint_frame *f, const struct triangle_ref *ref)
 {
     struct raster *r = f->raster;
@@ -209,6 +222,8 @@ static void draw_triangle(struct glint_frame *f, const struct triangle_ref *ref)
     f->stats.specular_triangles += setup->specular_lights != 0;
     f->stats.linear_triangles +=
         (method->id == GLINT_X || method->id == GLINT_SIX) && !setup->quadratic && !setup->perspective;
+    if (USES(USES_FOG) && r->fog.kind)
+        count_fog(&f->stats, r->fog_plan.kind);
     if (f->config.method->choose)
         count_plan(&f->stats, &in->plan);
 }
@@ -283,6 +298,9 @@ void glint_worker_end(const struct glint_frame *worker, struct glint_frame *f)
     f->stats.specular_triangles += worker->stats.specular_triangles;
     f->stats.linear_triangles += worker->stats.linear_triangles;
     f->stats.setups += worker->stats.setups;
+    f->stats.fogged += worker->stats.fogged;
+    f->stats.fogged_by_pixel += worker->stats.fogged_by_pixel;
+    f->stats.fogged_wholly += worker->stats.fogged_wholly;
     f->stats.hidden_lights += worker->stats.hidden_lights;
     f->stats.hidden_highlights += worker->stats.hidden_highlights;
     f->stats.dropped_highlights += worker->stats.dropped_highlights;

@@ -41,6 +41,8 @@ static inline void list_triangle(struct glint_frame *f, const int16_t *const p[3
         f->stats.dropped++;
         return;
     }
+    if (USES(USES_TWO_SIDED))
+        f->stats.turned += (kind & LIST_TURNED) != 0;
     struct triangle_ref *ref = &f->triangles[f->triangle_count++];
     ref->index = (uint16_t)index;
     ref->object = (uint8_t)object;

@@ -19,6 +19,7 @@ FX_COLD void fogged_begin(struct raster *r, const struct scene_header *scene, in
     if (!r->fog.kind)
         return;
     r->fog_allowed = FOGGED_ALLOWED;
+    r->fog_planned = plans != 0;
     if (plans)
         divide_budget(r);
     surface_colour(&r->palette, scene->fog.colour, colour);
@@ -49,6 +50,11 @@ void fogged_setup(struct raster *r, const struct glint_method *method)
     const struct fog_plan *plan = &r->fog_plan;
     if (plan->kind == FOGGED_LINEARLY)
         plane_linear(&r->setup.plane, plan->part, &r->setup.fog);
+    if (r->fog_planned) {
+        const uint32_t error = r->input.plan.error + plan->error;
+        r->input.plan.fog = plan->kind;
+        r->input.plan.error = (uint16_t)(error < 65535 ? error : 65535);
+    }
     /* Parts of a triangle have loops of their own too. */
     if (!method->run && plan->kind == FOGGED_EVENLY && plan->part[0] == 0)
         r->effects = r->surface_effects;

@@ -11,7 +11,7 @@
 #include "glint.h"
 #include "plan/fog.h"
 #include "raster/edges.h"
-#include "shade/perspective.h"
+#include "shade/uv.h"
 
 #define RUN                16 /* pixels; a mask bit each */
 #define RASTER_NO_MATERIAL 0xffffu
@@ -19,7 +19,7 @@
 #define SPANS 32 /* rows scan-converted at a time */
 
 /*
- * What one material is under one light, see table.c. RGB565: colours [highlight step][diffuse step], TABLE_HIGHLIGHT by
+ * What one material is under the first light, see table.c. RGB565: colours [highlight step][diffuse step], TABLE_HIGHLIGHT by
  * TABLE_DIFFUSE. GREY8, RGB888: ambient part and highlight by highlight step, 2^TABLE_BITS entries of 1 or 4 (r, g, b,
  * none) numbers. Row or entry 0 has no highlight.
  */
@@ -59,6 +59,7 @@ struct raster {
     struct fog fog;
     uint16_t fog_colour[3]; /* Q8 steps */
     uint16_t fog_allowed;   /* error that may be added, Q16 of full intensity */
+    uint8_t fog_planned;    /* by auto: it is part of input.plan */
     struct surface surface;
     uint16_t budget;                   /* of auto, Q8 of 1/255 */
     uint16_t surface_material;         /* which one `surface` holds; 0xffff: none */
@@ -76,8 +77,9 @@ struct raster {
             int16_t place[CLIP_MAX_CORNERS][3];
         } begin;
     };
-    uint32_t surface_effects; /* what the surface in hand asks for at each pixel besides lighting: USES_TEXTURE */
-    uint32_t effects;         /* what the triangle does: that, and USES_FOG */
+    uint32_t surface_effects;  /* what the surface in hand asks for at each pixel besides lighting: USES_TEXTURE */
+    uint32_t effects;          /* what the triangle does: that, and USES_FOG */
+    struct uv_corners corners; /* of a triangle whose texture coordinates are split: split.h */
     uint16_t weight[3][3];
     struct shade_turned turned;
     uint16_t colours[3][COLOUR_WORDS];
@@ -95,6 +97,12 @@ struct raster {
 static inline uint32_t raster_effects(const struct raster *r)
 {
     return USES(USES_TEXTURE | USES_FOG) ? r->effects : 0;
+}
+
+/* Where lights add highlights. */
+static inline uint32_t *raster_gloss(struct raster *r)
+{
+    return USES(USES_TEXTURE) ? r->gloss : r->sum[0];
 }
 
 struct triangle_ref;
@@ -190,7 +198,7 @@ void table_clear(struct raster *r);
 uint16_t table_error(const struct raster *r);
 
 /* Sets r->surface_table to the table of the surface in hand, made anew if it was another's; null if it has none: GREY4,
- * dither, not one light, outside RGB565 another form of the power, or a material beyond the tables. Table i is material
+ * dither, no light, outside RGB565 another form of the power, or a material beyond the tables. Table i is material
  * i's, so that a picture does not depend on what was drawn before. */
 void table_find(struct raster *r);
 

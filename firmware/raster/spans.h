@@ -4,8 +4,8 @@
  * own: spans_draw() with a constant `kind`, one bit of the output's format and those of what stands at a pixel.
  *
  * Depth and channels are stepped by differences from exact values at each span's first pixel, modulo 2^32, so that a
- * pixel depends on its triangle and place alone. Linear cases without highlight carry what a row begins with from row
- * to row; for the others that would cost more than it saves, as half of a dense mesh's rows hold no pixel.
+ * pixel depends on its triangle and place alone. A linear case carries what a row begins with from row to row; for
+ * quadratic ones that would cost more than it saves, as half of a dense mesh's rows hold no pixel.
  *
  * What channels count in, where kind has
  *   SPANS_COLOUR     finished colours, Q24 steps
@@ -16,10 +16,12 @@
  *                    SPANS_WIDE in Q30
  *   SPANS_LENGTH     N.L and N.H are to be divided by the normal's length, whose square channel SHADE_SQUARE holds less
  *                    than 1: 1 - |N|^2 in Q30, below 1/4
+ *   SPANS_NORMAL     the normal's components in Q30, linear, between normals at most 90 degrees apart
  */
 #ifndef GLINT_SPANS_H
 #define GLINT_SPANS_H
 
+#include "raster/normals.h"
 #include "raster/raster.h"
 
 enum spans_kind {
@@ -35,11 +37,14 @@ enum spans_kind {
     SPANS_WIDE = 128,     /* see above */
     SPANS_POWER = 256,    /* grey: N.H, in Q30, by the scene's power table: no memory */
     SPANS_LENGTH = 512,   /* grey: both over the length of the normal */
+    SPANS_NORMAL = 1024,  /* grey: both of the normal in the channels, made unit: the bits are those of normals_run() */
 };
 
 /* Whether channel 1 is stepped, and whether the third (blue, or SHADE_SQUARE). */
-#define SPANS_H(kind) (((kind)&SPANS_HIGHLIGHT) != 0 || (((kind)&SPANS_COLOUR) != 0 && ((kind)&SPANS_GREY8) == 0))
-#define SPANS_C(kind) (((kind)&SPANS_LENGTH) != 0 || (((kind)&SPANS_COLOUR) != 0 && ((kind)&SPANS_GREY8) == 0))
+#define SPANS_H(kind) \
+    (((kind) & (SPANS_HIGHLIGHT | SPANS_NORMAL)) != 0 || (((kind)&SPANS_COLOUR) != 0 && ((kind)&SPANS_GREY8) == 0))
+#define SPANS_C(kind) \
+    (((kind) & (SPANS_LENGTH | SPANS_NORMAL)) != 0 || (((kind)&SPANS_COLOUR) != 0 && ((kind)&SPANS_GREY8) == 0))
 
 /* What pixels are made of besides channels. */
 struct spans_look {
@@ -49,6 +54,16 @@ struct spans_look {
     uint32_t specular;       /* SPANS_POWER: Q8 steps */
     uint32_t foot;           /* SPANS_LENGTH: of the power, Q30; times 2^octave unless wide or by the power */
     unsigned down;           /* of N.H in Q30 to steps of the table; SPANS_LENGTH in its place: to Q15 times 2^octave */
+    const struct spans_light *light; /* SPANS_NORMAL */
+};
+
+/* The light in the object's axes, and what the surface makes of it: Q15 steps and Q8 steps. */
+struct spans_light {
+    q14_t towards[3], half[3];
+    int32_t shortness; /* normals_shortness(half) */
+    uint32_t base;
+    uint16_t diffuse, specular;
+    const struct fx_power *power;
 };
 
 /* Values at the first pixel, first differences, and second ones (0 where linear). c: blue, or 1 - |N|^2. */
@@ -60,6 +75,22 @@ struct spans_values {
 #define SPANS_LENGTH_BITS 9
 extern const uint16_t spans_length[1 << SPANS_LENGTH_BITS];
 
+static inline __attribute__((always_inline)) uint32_t spans_normal(const struct spans_values *v,
+                                                                   const struct spans_light *light)
+{
+    /* Q15; |N|^2 in [1/3, 1 + 2^-12] */
+    const int32_t x = (int32_t)v->l >> 15, y = (int32_t)v->h >> 15, z = (int32_t)v->c >> 15;
+    const struct normals_vector normal = normals_vector(x, y, z, (uint32_t)(x * x + y * y + z * z));
+    const q30_t l = normals_dot(&normal, light->towards), h = normals_dot(&normal, light->half);
+    uint32_t sum = light->base;
+    if (l > 0)
+        sum += surface_diffuse((uint32_t)l >> 15, light->diffuse);
+    if (h > 0)
+        sum += surface_diffuse(fx_power(light->power, normals_lengthened(h, light->shortness)), light->specular);
+    sum = (sum + (1u << 14)) >> 15;
+    return sum < 255 ? sum : 255;
+}
+
 static inline __attribute__((always_inline)) uint32_t spans_grey(const struct spans_values *v,
                                                                  const struct spans_look *look, unsigned kind)
 {
@@ -67,6 +98,8 @@ static inline __attribute__((always_inline)) uint32_t spans_grey(const struct sp
         return v->l >> 24;
     if (kind & SPANS_PLAIN)
         return v->l >> 22;
+    if (kind & SPANS_NORMAL)
+        return spans_normal(v, look->light);
     uint32_t sum = look->colour;
     if (!(kind & (SPANS_DIFFUSE | SPANS_HIGHLIGHT)))
         return sum;
@@ -187,7 +220,7 @@ FX_WRAPS static inline __attribute__((always_inline)) void spans_pixels(struct s
             *hidden = *hidden + 1;
         }
         fx_step(&v.z, v.dz);
-        if (kind & (SPANS_DIFFUSE | SPANS_PLAIN | SPANS_COLOUR))
+        if (kind & (SPANS_DIFFUSE | SPANS_PLAIN | SPANS_COLOUR | SPANS_NORMAL))
             spans_step(&v.l, &v.dl, v.al, quadratic && !(kind & SPANS_LENGTH));
         if (SPANS_H(kind))
             spans_step(&v.h, &v.dh, v.ah, quadratic && !(kind & SPANS_LENGTH));
@@ -221,7 +254,7 @@ spans_at(const struct shade_setup *setup, uint32_t i, uint32_t j, unsigned kind)
     const int quadratic = (kind & SPANS_QUADRATIC) != 0, bends = quadratic && !(kind & SPANS_LENGTH);
     struct spans_values v = {.al = 2 * pl->a, .ah = 2 * ph->a, .ac = 2 * pc->a};
     v.z = spans_start(&setup->depth.p, i, j, &v.dz, 0);
-    if (kind & (SPANS_DIFFUSE | SPANS_PLAIN | SPANS_COLOUR))
+    if (kind & (SPANS_DIFFUSE | SPANS_PLAIN | SPANS_COLOUR | SPANS_NORMAL))
         v.l = spans_start(pl, i, j, &v.dl, bends);
     if (SPANS_H(kind))
         v.h = spans_start(ph, i, j, &v.dh, bends);
@@ -235,7 +268,7 @@ FX_WRAPS static inline __attribute__((always_inline)) uint32_t spans_draw(struct
                                                                           struct spans_look look, unsigned kind)
 {
     const struct shade_setup *setup = &r->setup;
-    const int carried = !(kind & (SPANS_QUADRATIC | SPANS_HIGHLIGHT));
+    const int quadratic = (kind & SPANS_QUADRATIC) != 0;
     const uint32_t width = r->width, ox = (uint32_t)setup->plane.ox;
     volatile uint32_t hidden = 0;
     uint32_t j = (uint32_t)(e->row - setup->plane.oy), row = (uint32_t)(e->row - r->y0) * width, covered = 0;
@@ -254,7 +287,7 @@ FX_WRAPS static inline __attribute__((always_inline)) uint32_t spans_draw(struct
             const int32_t x = span->x0, n = span->x1 - x;
             if (n > 0) {
                 struct spans_values first = v;
-                if (!carried) {
+                if (quadratic) {
                     first = spans_at(setup, (uint32_t)x - ox, j, kind);
                 } else {
                     first.z += v.dz * (uint32_t)x;
@@ -266,7 +299,7 @@ FX_WRAPS static inline __attribute__((always_inline)) uint32_t spans_draw(struct
                 covered += (uint32_t)n;
                 spans_pixels(place, first, at, at + (uint32_t)n, &look, &hidden, kind);
             }
-            if (!carried) {
+            if (quadratic) {
                 j++;
             } else {
                 v.z += ez;
@@ -294,6 +327,7 @@ uint32_t spans_grey8_constant(struct raster *r, struct edges *e, uint32_t colour
 uint32_t spans_grey8_colours(struct raster *r, struct edges *e);
 uint32_t spans_grey8_dots(struct raster *r, struct edges *e);
 uint32_t spans_grey8_lengths(struct raster *r, struct edges *e); /* Duff's: setup->length */
+uint32_t spans_grey8_normals(struct raster *r, struct edges *e); /* Phong's, between normals at most 90 degrees apart */
 uint32_t spans_rgb888_constant(struct raster *r, struct edges *e, uint32_t colour);
 uint32_t spans_rgb888_colours(struct raster *r, struct edges *e);
 uint32_t spans_rgb888_dots(struct raster *r, struct edges *e);

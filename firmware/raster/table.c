@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Tables of one material under one light, made once.
+ * Tables of one material under the scene's first light, made once; of triangles that no other light reaches.
  *
  * RGB565: the finished colour of every pair (N.L, N.H) in steps fine enough not to be seen, so that clamp, power, sum
  * and packing of a pixel are one load. N.L is in steps of 1/64, entry i for [i - 1/2, i + 1/2) / 64; N.H in steps of
@@ -109,7 +109,7 @@ void table_clear(struct raster *r)
 void table_find(struct raster *r)
 {
     r->surface_table = 0;
-    if (r->surface_material >= r->tables || raster_dithers(r) || surface_lights(&r->surface) != 1 ||
+    if (r->surface_material >= r->tables || raster_dithers(r) || !surface_lights(&r->surface) ||
         raster_effects(r) || (!raster_is(r, GLINT_RGB565) && surface_form(&r->surface)))
         return;
     struct table *table = table_at(r, r->surface_material);

@@ -147,7 +147,7 @@ static void every_method_reaches_its_quality(void **state)
         {"color6", {46.0, 41.3, 37.7}, {9.5, 14, 29}},
         {"duff", {100, 100, 100}, {0, 0, 0}},
         {"phong", {100, 100, 100}, {0, 0, 0}},
-        {"biquadratic", {60.1, 59.0, 59.1}, {2.5, 3.7, 4.2}},
+        {"biquadratic", {100, 100, 100}, {0, 0, 0}}, /* a torus has no inflections */
         {"overveld-scan", {26.4, 28.1, 28.6}, {90, 70, 74}},
     };
     static const unsigned shininess[] = {5, 20, 50};
