@@ -24,7 +24,7 @@ static const char render_help[] =
     "      --stream FILE      instead of -o: as a device sends it to glint-view (firmware/stream/PROTOCOL.md); - for\n"
     "                         standard output\n"
     "      --key N            of a stream: a picture in N refers to none before it, 1..1000000, default 60\n"
-    "      --method M         one of `glint methods`, default x\n"
+    "      --method M         one of `glint methods`, default auto\n"
     "      --show plan        auto: each triangle in the colour of what was chosen for it\n"
     "      --budget N         auto: how far a pixel may be off, .01 to 255 in 1/255, default 2\n"
     "      --subdivide MODE   with --method subdivide: centre (default), regular, highlight, recursive, hybrid, "
@@ -397,7 +397,7 @@ static int render_frames(struct render *render)
 int cmd_render(int argc, char **argv)
 {
     struct render render = {
-        .rate = 30, .method = "x", .renderer.config.format = GLINT_RGB888, .streamer.key_every = 60};
+        .rate = 30, .method = "auto", .renderer.config.format = GLINT_RGB888, .streamer.key_every = 60};
     struct pack_result packed = {0};
     argv[0] = (char *)render_name;
     int code = render_parse(&render, argc, argv);
