@@ -46,7 +46,7 @@ static const struct glint_method *choose_planned(struct raster *r)
 {
     struct shade_input *in = &r->input;
     if (!r->surface.plan.power)
-        surface_plan(&r->surface, &r->palette, r->budget);
+        surface_plan(&r->surface, &r->palette, table_budget(r, r->budget));
     if (object_local(in->object)) { /* corner values say nothing of what lies between: each place has its vectors */
         in->plan = (struct shade_plan){.rung = PLAN_PHONG};
     } else {

@@ -1,8 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * From a set-up triangle to pixels of a band. Two ways lead there: loops made for one case (RGB565 from a colour table,
- * and Gouraud and flat in 565), and the general one, which works on runs of up to RUN pixels: depth test to a mask,
- * shading into sums, conversion to the output's format.
+ * From a set-up triangle to pixels of a band. Three ways lead there:
+ *   spans.h    loops that go straight into the band, one for each format and kind of pixel: under one light N.L and
+ * N.H, linear or quadratic, or over the length of the normal, and finished colours effects.h  runs of RUN pixels
+ * through stages of effects, for surfaces that have some runs.h     the general one, runs again: depth test to a mask,
+ * shading into sums, conversion to the output's format
+ *
+ * A new kind of pixel is a bit of enum spans_kind, what it makes of the channels in spans_grey(), spans_rgb565() or
+ * spans_rgb888(), and a SPANS_CASE in the format's file beside the condition that it is drawn by; whatever else it
+ * steps goes into struct spans_values. The constant kind leaves each case what it uses.
  */
 #ifndef GLINT_RASTER_H
 #define GLINT_RASTER_H
@@ -19,9 +25,9 @@
 #define SPANS 32 /* rows scan-converted at a time */
 
 /*
- * What one material is under the first light, see table.c. RGB565: colours [highlight step][diffuse step], TABLE_HIGHLIGHT by
- * TABLE_DIFFUSE. GREY8, RGB888: ambient part and highlight by highlight step, 2^TABLE_BITS entries of 1 or 4 (r, g, b,
- * none) numbers. Row or entry 0 has no highlight.
+ * What one material is under the first light, see table.c. RGB565: colours [highlight step][diffuse step],
+ * TABLE_HIGHLIGHT by TABLE_DIFFUSE. GREY8, RGB888: ambient part and highlight by highlight step, 2^TABLE_BITS entries
+ * of 1 or 4 (r, g, b, none) numbers. Row or entry 0 has no highlight.
  */
 #define TABLE_DIFFUSE   64
 #define TABLE_HIGHLIGHT 128
@@ -196,6 +202,10 @@ void table_clear(struct raster *r);
 /* What r->surface_table costs in accuracy at most, Q8 of 1/255, roundings of the output apart (see table.c); 0 if null.
  */
 uint16_t table_error(const struct raster *r);
+
+/* What a plan may spend of a budget beside the table, Q8 of 1/255: its error less half a step of the output is taken
+ * off. Where that were more than half of the budget, the surface has no table from now on. */
+uint16_t table_budget(struct raster *r, uint16_t budget);
 
 /* Sets r->surface_table to the table of the surface in hand, made anew if it was another's; null if it has none: GREY4,
  * dither, no light, outside RGB565 another form of the power, or a material beyond the tables. Table i is material

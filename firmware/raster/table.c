@@ -109,8 +109,8 @@ void table_clear(struct raster *r)
 void table_find(struct raster *r)
 {
     r->surface_table = 0;
-    if (r->surface_material >= r->tables || raster_dithers(r) || !surface_lights(&r->surface) ||
-        raster_effects(r) || (!raster_is(r, GLINT_RGB565) && surface_form(&r->surface)))
+    if (r->surface_material >= r->tables || raster_dithers(r) || !surface_lights(&r->surface) || raster_effects(r) ||
+        (!raster_is(r, GLINT_RGB565) && surface_form(&r->surface)))
         return;
     struct table *table = table_at(r, r->surface_material);
     if (!made_for(table, &r->surface))
@@ -130,4 +130,19 @@ uint16_t table_error(const struct raster *r)
         most = error > most ? error : most;
     }
     return (uint16_t)(most < 65535 ? most : 65535);
+}
+
+uint16_t table_budget(struct raster *r, uint16_t budget)
+{
+    uint32_t least = 255; /* of the channels' tops: half of their steps is what the output's rounding takes anyway */
+    for (unsigned c = 0; c < raster_channels(r); c++)
+        least = r->palette.top[c] < least ? r->palette.top[c] : least;
+    const uint32_t error = table_error(r), rounding = (255u << 7) / least;
+    if (error <= rounding)
+        return budget;
+    if (2 * (error - rounding) <= budget)
+        return (uint16_t)(budget - (error - rounding));
+    r->surface_table = 0;
+    r->input.tabled = 0;
+    return budget;
 }
