@@ -50,7 +50,7 @@ static void begin_raster(struct raster *r, const struct glint_frame *f)
         fogged_begin(r, scene, f->config.method->choose && !f->config.method->object);
     r->input.surface = &r->surface;
     r->gloss = r->sum[0];
-    r->input.texture = f->config.texture ? f->config.texture : GLINT_TEXTURE_PERSPECTIVE;
+    r->input.texture = f->config.texture;
     r->input.colours = 0;
     r->input.sampled = f->config.power || scene->camera.viewer != VIEWER_INFINITE;
     for (unsigned i = 0; i < scene->light_count; i++)
@@ -77,6 +77,8 @@ FX_COLD int glint_frame_begin(struct glint_frame *f, const void *scene, uint32_t
     if (!f || !scene)
         return GLINT_E_ARGUMENT;
     if (header->magic != SCENE_MAGIC || header->version != SCENE_VERSION || header->light_count > f->config.max_lights)
+        return GLINT_E_SCENE;
+    if ((header->effects & ~GLINT_USES) != 0)
         return GLINT_E_SCENE;
     f->scene = header;
     f->light_count = (uint8_t)header->light_count;
@@ -118,11 +120,13 @@ static void take_material(struct raster *r, const struct scene_header *scene, un
 {
     r->surface_material = (uint16_t)material;
     surface_setup(&r->surface, scene, scene_materials(scene) + material, &r->palette);
-    effects_surface(r);
+    if (USES(USES_TEXTURE | USES_FOG))
+        effects_surface(r);
     if (raster_effects(r))
         r->surface.fold = 0; /* runs have N.L itself */
     table_find(r);
     r->input.tabled = r->surface_table != 0 && raster_is(r, GLINT_RGB565);
+    r->input.grey_table = r->surface_table != 0 && raster_is(r, GLINT_GREY8);
 }
 
 /* Turns a listed triangle into the rasteriser's input: corners 0, 2, 1, which is clockwise with y down. */
@@ -139,6 +143,8 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     in->vertices = scene_at(f->scene, object->mesh->vertices);
     if (USES(USES_TEXTURE | USES_BUMP))
         in->uvs = scene_at(f->scene, object->mesh->uvs);
+    if (USES(USES_BUMP))
+        in->tangents = scene_at(f->scene, object->mesh->tangents);
     in->weight = 0;
     /* Once a triangle and worth unrolling. */
     const uint32_t stride = f->vertex_stride;

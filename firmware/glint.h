@@ -16,9 +16,11 @@
 #define GLINT_MAX_SIZE 2048u /* pixels, either way */
 
 enum glint_error {
-    GLINT_E_ARGUMENT = -1, /* a size, format or method that does not exist, or a null pointer */
+    GLINT_E_ARGUMENT = -1, /* a size, format or method that does not exist or that this program was compiled without,
+                              or a null pointer */
     GLINT_E_MEMORY = -2,   /* config.memory is smaller than glint_memory_needed() or not aligned */
-    GLINT_E_SCENE = -3,    /* not a scene this version reads; glint_scene_problem() says why */
+    GLINT_E_SCENE = -3,    /* not a scene this version reads, or one that needs an effect that this program was compiled
+                              without (uses.h); glint_scene_problem() says why */
 };
 
 enum glint_format {
@@ -48,6 +50,15 @@ extern const struct glint_method glint_biquadratic;   /* Lee and Jen's, only on 
  * hundredth of its distance costs up to 12/255 in highlights). */
 extern const struct glint_method glint_x_perspective, glint_six_perspective, glint_phong_perspective,
     glint_biquadratic_perspective;
+
+/* Bump maps: light and half-way direction turned into the surface's moving frame at the corners, interpolated, and
+ * multiplied with the map's normals (Hast et al. 2002). Materials without a map are drawn by x, six and duff; the other
+ * methods leave maps out, but for auto. */
+extern const struct glint_method glint_bump_linear;     /* the directions as they are */
+extern const struct glint_method glint_bump_quadratic;  /* through six samples, middles the ends' normalised average */
+extern const struct glint_method glint_bump_normalised; /* made unit at each pixel; correct in perspective */
+/* bump-quadratic, its middles from the moving frame there: of the ends' averages, and with its axes at right angles */
+extern const struct glint_method glint_bump_frames, glint_bump_upright;
 
 /* Triangles split into smaller ones (at most GLINT_MAX_PARTS, and none lower than half a pixel), whose corners are
  * shaded with the normal interpolated there. Adaptive ones draw by gouraud all but the potentially highlighted
@@ -81,6 +92,9 @@ enum glint_method_id {
     GLINT_OVERVELD,
     GLINT_BIQUADRATIC,
     GLINT_SUBDIVIDE,
+    GLINT_BUMP_LINEAR,
+    GLINT_BUMP_QUADRATIC,
+    GLINT_BUMP_NORMALISED,
     GLINT_DARK,     /* auto: the ambient part alone */
     GLINT_CONSTANT, /* auto: one colour */
     GLINT_LINEAR,   /* auto: N.L and N.H linear; GLINT_SIX: one of them at least quadratic */

@@ -20,3 +20,12 @@ int64_t fx_divide_s64(int64_t n, int64_t d)
     int64_t size = (int64_t)fx_divide_u64((uint64_t)(n < 0 ? -n : n), (uint64_t)(d < 0 ? -d : d));
     return (n < 0) != (d < 0) ? -size : size;
 }
+
+uint32_t fx_root(uint32_t x)
+{
+    uint32_t r = 0;
+    for (uint32_t bit = 1u << 15; bit; bit >>= 1)
+        if ((r | bit) * (r | bit) <= x)
+            r |= bit;
+    return r;
+}

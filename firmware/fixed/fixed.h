@@ -186,6 +186,9 @@ static inline void fx_divmod_floor(int32_t num, int32_t den, int32_t *quotient, 
 uint64_t fx_divide_u64(uint64_t n, uint64_t d);
 int64_t fx_divide_s64(int64_t n, int64_t d);
 
+/* floor(sqrt(x)), a bit at a time. */
+uint32_t fx_root(uint32_t x);
+
 /*
  * 2^63 / m for m in [2^31, 2^32): in [2^31, 2^32 - 1], within 2^-30.46 of the true value (worst at 0xf7ffbdd0), which
  * is exceeded by at most 2^-30.72. A 256-byte table, no division: 19 instructions with the call on Cortex-M4, 36 on

@@ -113,8 +113,8 @@ void plan_keep(struct shade_plan *plan)
         return;
     if (plan->rung == PLAN_DARK)
         plan->rung = PLAN_LINEAR;
-    plan->diffuse |= plan->hidden_lights;
-    plan->specular |= plan->hidden_highlights;
+    plan->diffuse |= plan->hidden_lights & 1;
+    plan->specular |= plan->hidden_highlights & 1;
 }
 
 void plan_triangle(struct shade_plan *plan, const struct plan_surface *s, const struct plan_triangle *t)
@@ -149,13 +149,14 @@ void plan_triangle(struct shade_plan *plan, const struct plan_surface *s, const 
     }
     plan->hidden_lights = (uint8_t)!f.lit;
     plan->hidden_highlights = (uint8_t)(f.specular && !f.shines);
+    const int finished = !s->apart || (!f.shines && (!f.lit || parts_scaled(f.diffuse, f.l.top) <= s->full));
     if (!f.lit && !f.shines)
         plan->rung = PLAN_DARK;
-    else if (is_constant(&f, s, plan))
+    else if (finished && is_constant(&f, s, plan))
         plan->rung = PLAN_CONSTANT;
     else if (f.linear_l + f.linear_h > s->budget)
         take_six(&f, s, plan);
-    else if (is_gouraud(&f, s, plan))
+    else if (finished && is_gouraud(&f, s, plan))
         plan->rung = PLAN_GOURAUD;
     else
         take_linear(&f, s, plan);

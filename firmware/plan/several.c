@@ -209,6 +209,15 @@ uint32_t plan_shift(const int16_t *const place[3])
     return shift < 1u << 16 ? shift : 1u << 16;
 }
 
+/* Whether colours may be finished where a texel is to multiply them: no highlight shows, and nothing is clamped. */
+static int is_finished(const struct work *w)
+{
+    for (unsigned i = 0; i < w->parts; i++)
+        if (w->part[i].highlight)
+            return 0;
+    return w->most <= w->s->full;
+}
+
 void plan_several(struct shade_plan *plan, const struct plan_surface *s, const struct plan_triangle *t)
 {
     struct work w; /* its parts are filled as they come */
@@ -221,11 +230,12 @@ void plan_several(struct shade_plan *plan, const struct plan_surface *s, const s
     curve_setup(&w.curve, t->bend);
     for (unsigned i = 0; i < s->lights; i++)
         add_parts(&w, plan, i);
+    const int finished = !s->apart || is_finished(&w);
     if (!w.parts)
         plan->rung = PLAN_DARK;
-    else if (is_constant(&w, plan))
+    else if (finished && is_constant(&w, plan))
         plan->rung = PLAN_CONSTANT;
-    else if (w.linear <= s->budget && is_gouraud(&w, plan))
+    else if (finished && w.linear <= s->budget && is_gouraud(&w, plan))
         plan->rung = PLAN_GOURAUD;
     else if (w.linear <= s->budget || bend_parts(&w))
         take_parts(&w, plan);

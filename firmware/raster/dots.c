@@ -47,7 +47,7 @@ static inline __attribute__((always_inline)) void shade_channels(struct raster *
         }
         if (shade_specular(setup) >> l & 1) {
             find_values(r, x, y, n, 2 * l + 1, divide);
-            sum = r->gloss;
+            sum = raster_gloss(r);
             if (surface_form(s)) {
                 find_powers(r, n);
                 for (int i = 0; i < n; i++, sum += 3)

@@ -38,8 +38,8 @@ FX_WRAPS static inline __attribute__((always_inline)) void shade_grey(struct ras
 RUNS_APART static void shade_run(struct raster *r, int x, int y, int n)
 {
     const struct shade_setup *setup = &r->setup;
-    if (surface_channels(&r->surface) != 1 || surface_lights(&r->surface) != 1 || setup->runs_only ||
-        surface_form(&r->surface) || !setup->diffuse_lights)
+    if (surface_channels(&r->surface) != 1 || !shade_alone(setup) || setup->runs_only || surface_form(&r->surface) ||
+        !setup->diffuse_lights)
         dots_shade(r, x, y, n, 0);
     else if (shade_specular(setup))
         shade_grey(r, x, y, n, 1);
@@ -112,6 +112,8 @@ RUNS_APART static uint32_t draw_steps(struct raster *r, struct edges *e)
 uint32_t raster_draw_dots(struct raster *r, struct edges *e)
 {
     const struct shade_setup *setup = &r->setup;
+    if (!shade_alone(setup))
+        return draw_runs(r, e);
     if (surface_fold(&r->surface))
         return setup->runs_only ? draw_steps(r, e) : spans_grey8_dots(r, e);
     if (!r->surface_table)

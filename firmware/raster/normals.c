@@ -5,18 +5,14 @@
 
 #define SHORTEST (1u << 12)
 
-/* Keeps a normal times a power of 2, |v| in [2^15, 2^16), and 2^45 / |v|: dot products are taken of it as it is, and
- * then divided. So what v was rounded by turns it a little, but leaves its length exact, on which a high power depends.
- * `squared` is the sum of the squares, not 0. */
 static inline __attribute__((always_inline)) void keep(struct raster *r, int i, int32_t x, int32_t y, int32_t z,
                                                        uint32_t squared)
 {
-    unsigned up = fx_clz(squared) & ~1u; /* to [2^30, 2^32) by a square's factor */
-    const int32_t half = 1 << up / 2;
-    r->value[0][i] = x * half;
-    r->value[1][i] = y * half;
-    r->value[2][i] = z * half;
-    r->divisor[i].half = (int32_t)(fx_rsqrt_norm(squared << up) >> 1); /* at most 2^30 */
+    const struct normals_vector v = normals_vector(x, y, z, squared);
+    r->value[0][i] = v.x;
+    r->value[1][i] = v.y;
+    r->value[2][i] = v.z;
+    r->divisor[i].half = v.inverse;
 }
 
 /* Any length: the largest component is first moved to 15 bits. */
@@ -55,18 +51,10 @@ static void normalise(struct raster *r, int n)
     }
 }
 
-/* N . u of a unit vector in Q14, in Q30, at most 1 + 2^-12: |v| |u| < 2^30 (1 + 2^-12) and so is every partial sum; the
- * high product is 2^27 of it. */
 static inline __attribute__((always_inline)) q30_t dot(const struct raster *r, int i, const q14_t u[3])
 {
-    const int32_t sum = r->value[0][i] * u[0] + r->value[1][i] * u[1] + r->value[2][i] * u[2];
-    return fx_mulhi_s32(sum, r->divisor[i].half) * 8;
-}
-
-/* What 1 / |u| is beyond 1, Q29, of a unit vector in Q14 within 2^-12: below 2^17. */
-static int32_t shortness(const q14_t u[3])
-{
-    return (1 << 28) - (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+    const struct normals_vector v = {r->value[0][i], r->value[1][i], r->value[2][i], r->divisor[i].half};
+    return normals_dot(&v, u);
 }
 
 /* Adds a light at one pixel. `formed`: by another form of the power than the table; `lacks`: half's shortness. */
@@ -81,10 +69,10 @@ static inline __attribute__((always_inline)) void add_light(struct raster *r, in
     q30_t highlight = surface_highlights(s) ? dot(r, i, half) : 0;
     if (highlight <= 0)
         return;
-    highlight += (highlight >> 17) * lacks >> 12; /* 2^13 (1 + 2^-12) * 2^17 */
+    highlight = normals_lengthened(highlight, lacks);
     uint32_t power = formed ? surface_power(s, highlight) : fx_power(s->power, highlight);
     for (unsigned c = 0; c < surface_channels(s); c++)
-        r->gloss[3 * i + (int)c] += surface_diffuse(power, s->light[l].specular[c]);
+        raster_gloss(r)[3 * i + (int)c] += surface_diffuse(power, s->light[l].specular[c]);
 }
 
 /* By a W of their own: the depth's is exact to a part of the picture's nearest depth, which is not enough of a triangle
@@ -123,13 +111,13 @@ static inline __attribute__((always_inline)) void add_lights(struct raster *r, i
     for (unsigned l = 0; l < surface_lights(s); l++) {
         if (!object_local(object)) {
             object_light_at(object, l, 0, towards, half);
-            lacks = shortness(half);
+            lacks = normals_shortness(half);
         }
         for (int i = 0; i < n; i++) {
             if (object_local(object)) {
                 const int32_t place[3] = {r->value[3][i], r->value[4][i], r->value[5][i]};
                 object_light_at(object, l, place, towards, half);
-                lacks = shortness(half);
+                lacks = normals_shortness(half);
             }
             add_light(r, i, l, towards, half, lacks, formed);
         }

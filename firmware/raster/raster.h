@@ -11,7 +11,7 @@
 #include "glint.h"
 #include "plan/fog.h"
 #include "raster/edges.h"
-#include "shade/perspective.h"
+#include "shade/uv.h"
 
 #define RUN                16 /* pixels; a mask bit each */
 #define RASTER_NO_MATERIAL 0xffffu
@@ -19,9 +19,9 @@
 #define SPANS 32 /* rows scan-converted at a time */
 
 /*
- * What one material is under one light, see table.c. RGB565: colours [highlight step][diffuse step], TABLE_HIGHLIGHT by
- * TABLE_DIFFUSE. GREY8, RGB888: ambient part and highlight by highlight step, 2^TABLE_BITS entries of 1 or 4 (r, g, b,
- * none) numbers. Row or entry 0 has no highlight.
+ * What one material is under the first light, see table.c. RGB565: colours [highlight step][diffuse step],
+ * TABLE_HIGHLIGHT by TABLE_DIFFUSE. GREY8, RGB888: ambient part and highlight by highlight step, 2^TABLE_BITS entries
+ * of 1 or 4 (r, g, b, none) numbers. Row or entry 0 has no highlight.
  */
 #define TABLE_DIFFUSE   64
 #define TABLE_HIGHLIGHT 128
@@ -78,8 +78,9 @@ struct raster {
             int16_t place[CLIP_MAX_CORNERS][3];
         } begin;
     };
-    uint32_t surface_effects; /* what the surface in hand asks for at each pixel besides lighting: USES_TEXTURE */
-    uint32_t effects;         /* what the triangle does: that, and USES_FOG */
+    uint32_t surface_effects;  /* what the surface in hand asks for at each pixel besides lighting: USES_TEXTURE */
+    uint32_t effects;          /* what the triangle does: that, and USES_FOG */
+    struct uv_corners corners; /* of a triangle whose texture coordinates are split: split.h */
     uint16_t weight[3][3];
     struct shade_turned turned;
     uint16_t colours[3][COLOUR_WORDS];
@@ -97,6 +98,12 @@ struct raster {
 static inline uint32_t raster_effects(const struct raster *r)
 {
     return USES(USES_TEXTURE | USES_FOG) ? r->effects : 0;
+}
+
+/* Where lights add highlights. */
+static inline uint32_t *raster_gloss(struct raster *r)
+{
+    return USES(USES_TEXTURE) ? r->gloss : r->sum[0];
 }
 
 struct triangle_ref;
@@ -187,8 +194,12 @@ uint32_t table_bytes(unsigned format);
 /* Empties r->tables tables. */
 void table_clear(struct raster *r);
 
+/* What r->surface_table costs in accuracy at most, Q8 of 1/255, roundings of the output apart (see table.c); 0 if null.
+ */
+uint16_t table_error(const struct raster *r);
+
 /* Sets r->surface_table to the table of the surface in hand, made anew if it was another's; null if it has none: GREY4,
- * dither, not one light, outside RGB565 another form of the power, or a material beyond the tables. Table i is material
+ * dither, no light, outside RGB565 another form of the power, or a material beyond the tables. Table i is material
  * i's, so that a picture does not depend on what was drawn before. */
 void table_find(struct raster *r);
 

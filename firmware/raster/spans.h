@@ -16,10 +16,12 @@
  *                    SPANS_WIDE in Q30
  *   SPANS_LENGTH     N.L and N.H are to be divided by the normal's length, whose square channel SHADE_SQUARE holds less
  *                    than 1: 1 - |N|^2 in Q30, below 1/4
+ *   SPANS_NORMAL     the normal's components in Q30, linear, between normals at most 90 degrees apart
  */
 #ifndef GLINT_SPANS_H
 #define GLINT_SPANS_H
 
+#include "raster/normals.h"
 #include "raster/raster.h"
 
 enum spans_kind {
@@ -27,30 +29,41 @@ enum spans_kind {
     SPANS_GREY8 = 1,
     SPANS_RGB888 = 2,
     /* the pixel: one colour, or */
-    SPANS_COLOUR = 4,      /* finished colours, stepped */
-    SPANS_PLAIN = 8,       /* grey: N.L, ambient part included, nowhere outside the format */
-    SPANS_DIFFUSE = 16,    /* N.L, clamped below */
-    SPANS_HIGHLIGHT = 32,  /* N.H by the material's table */
-    SPANS_QUADRATIC = 64,  /* any of them bends */
-    SPANS_WIDE = 128,      /* see above */
-    SPANS_POWER = 256,     /* grey: N.H, in Q30, by the scene's power table: no memory */
-    SPANS_LENGTH = 512,    /* grey: both over the length of the normal */
+    SPANS_COLOUR = 4,     /* finished colours, stepped */
+    SPANS_PLAIN = 8,      /* grey: N.L, ambient part included, nowhere outside the format */
+    SPANS_DIFFUSE = 16,   /* N.L, clamped below */
+    SPANS_HIGHLIGHT = 32, /* N.H by the material's table */
+    SPANS_QUADRATIC = 64, /* any of them bends */
+    SPANS_WIDE = 128,     /* see above */
+    SPANS_POWER = 256,    /* grey: N.H, in Q30, by the scene's power table: no memory */
+    SPANS_LENGTH = 512,   /* grey: both over the length of the normal */
+    SPANS_NORMAL = 1024,  /* grey: both of the normal in the channels, made unit: the bits are those of normals_run() */
 };
 
 /* Whether channel 1 is stepped, and whether the third (blue, or SHADE_SQUARE). */
 #define SPANS_H(kind) \
-    (((kind) & SPANS_HIGHLIGHT) != 0 || (((kind) & SPANS_COLOUR) != 0 && ((kind) & SPANS_GREY8) == 0))
+    (((kind) & (SPANS_HIGHLIGHT | SPANS_NORMAL)) != 0 || (((kind)&SPANS_COLOUR) != 0 && ((kind)&SPANS_GREY8) == 0))
 #define SPANS_C(kind) \
-    (((kind) & SPANS_LENGTH) != 0 || (((kind) & SPANS_COLOUR) != 0 && ((kind) & SPANS_GREY8) == 0))
+    (((kind) & (SPANS_LENGTH | SPANS_NORMAL)) != 0 || (((kind)&SPANS_COLOUR) != 0 && ((kind)&SPANS_GREY8) == 0))
 
 /* What pixels are made of besides channels. */
 struct spans_look {
-    const uint16_t *table;   /* struct table's entries; SPANS_POWER: the power's */
-    const uint16_t *diffuse; /* RGB888: Q8 steps of each channel */
-    uint32_t colour;         /* one colour; else grey: the ambient part with the rounding half, Q7 steps */
-    uint32_t specular;       /* SPANS_POWER: Q8 steps */
-    uint32_t foot;           /* SPANS_LENGTH: of the power, Q30 */
-    unsigned down;           /* of N.H in Q30 to steps of the table */
+    const uint16_t *table;           /* struct table's entries; SPANS_POWER: the power's */
+    const uint16_t *diffuse;         /* RGB888: Q8 steps of each channel */
+    uint32_t colour;                 /* one colour; else grey: the ambient part with the rounding half, Q7 steps */
+    uint32_t specular;               /* SPANS_POWER: Q8 steps */
+    uint32_t foot;                   /* SPANS_LENGTH: of the power, Q30 */
+    unsigned down;                   /* of N.H in Q30 to steps of the table */
+    const struct spans_light *light; /* SPANS_NORMAL */
+};
+
+/* The light in the object's axes, and what the surface makes of it: Q15 steps and Q8 steps. */
+struct spans_light {
+    q14_t towards[3], half[3];
+    int32_t shortness; /* normals_shortness(half) */
+    uint32_t base;
+    uint16_t diffuse, specular;
+    const struct fx_power *power;
 };
 
 /* Values at the first pixel, first differences, and second ones (0 where linear). c: blue, or 1 - |N|^2. */
@@ -62,6 +75,22 @@ struct spans_values {
 #define SPANS_LENGTH_BITS 9
 extern const uint16_t spans_length[1 << SPANS_LENGTH_BITS];
 
+static inline __attribute__((always_inline)) uint32_t spans_normal(const struct spans_values *v,
+                                                                   const struct spans_light *light)
+{
+    /* Q15; |N|^2 in [1/3, 1 + 2^-12] */
+    const int32_t x = (int32_t)v->l >> 15, y = (int32_t)v->h >> 15, z = (int32_t)v->c >> 15;
+    const struct normals_vector normal = normals_vector(x, y, z, (uint32_t)(x * x + y * y + z * z));
+    const q30_t l = normals_dot(&normal, light->towards), h = normals_dot(&normal, light->half);
+    uint32_t sum = light->base;
+    if (l > 0)
+        sum += surface_diffuse((uint32_t)l >> 15, light->diffuse);
+    if (h > 0)
+        sum += surface_diffuse(fx_power(light->power, normals_lengthened(h, light->shortness)), light->specular);
+    sum = (sum + (1u << 14)) >> 15;
+    return sum < 255 ? sum : 255;
+}
+
 static inline __attribute__((always_inline)) uint32_t spans_grey(const struct spans_values *v,
                                                                  const struct spans_look *look, unsigned kind)
 {
@@ -69,6 +98,8 @@ static inline __attribute__((always_inline)) uint32_t spans_grey(const struct sp
         return v->l >> 24;
     if (kind & SPANS_PLAIN)
         return v->l >> 22;
+    if (kind & SPANS_NORMAL)
+        return spans_normal(v, look->light);
     uint32_t sum = look->colour;
     if (!(kind & (SPANS_DIFFUSE | SPANS_HIGHLIGHT)))
         return sum;
@@ -157,8 +188,8 @@ static inline struct spans_place spans_find(const struct raster *r, unsigned kin
     return (struct spans_place){depth, pixels - depth, pixels};
 }
 
-/* Pixels [at, end) of the band. *hidden counts those that are not the nearest; it stays in memory, as the loops need the
- * registers. */
+/* Pixels [at, end) of the band. *hidden counts those that are not the nearest; it stays in memory, as the loops need
+ * the registers. */
 FX_WRAPS static inline __attribute__((always_inline)) void spans_pixels(struct spans_place place, struct spans_values v,
                                                                         uint32_t at, uint32_t end,
                                                                         const struct spans_look *look,
@@ -186,7 +217,7 @@ FX_WRAPS static inline __attribute__((always_inline)) void spans_pixels(struct s
             *hidden = *hidden + 1;
         }
         fx_step(&v.z, v.dz);
-        if (kind & (SPANS_DIFFUSE | SPANS_PLAIN | SPANS_COLOUR))
+        if (kind & (SPANS_DIFFUSE | SPANS_PLAIN | SPANS_COLOUR | SPANS_NORMAL))
             spans_step(&v.l, &v.dl, v.al, quadratic && !(kind & SPANS_LENGTH));
         if (SPANS_H(kind))
             spans_step(&v.h, &v.dh, v.ah, quadratic && !(kind & SPANS_LENGTH));
@@ -212,16 +243,15 @@ FX_WRAPS static inline __attribute__((always_inline)) uint32_t spans_start(const
 }
 
 /* The values at column i, row j. */
-FX_WRAPS static inline __attribute__((always_inline)) struct spans_values spans_at(const struct shade_setup *setup,
-                                                                                   uint32_t i, uint32_t j,
-                                                                                   unsigned kind)
+FX_WRAPS static inline __attribute__((always_inline)) struct spans_values
+spans_at(const struct shade_setup *setup, uint32_t i, uint32_t j, unsigned kind)
 {
     const struct polynomial *pl = &setup->channel[0].p, *ph = &setup->channel[1].p,
                             *pc = &setup->channel[kind & SPANS_LENGTH ? SHADE_SQUARE : 2].p;
     const int quadratic = (kind & SPANS_QUADRATIC) != 0, bends = quadratic && !(kind & SPANS_LENGTH);
     struct spans_values v = {.al = 2 * pl->a, .ah = 2 * ph->a, .ac = 2 * pc->a};
     v.z = spans_start(&setup->depth.p, i, j, &v.dz, 0);
-    if (kind & (SPANS_DIFFUSE | SPANS_PLAIN | SPANS_COLOUR))
+    if (kind & (SPANS_DIFFUSE | SPANS_PLAIN | SPANS_COLOUR | SPANS_NORMAL))
         v.l = spans_start(pl, i, j, &v.dl, bends);
     if (SPANS_H(kind))
         v.h = spans_start(ph, i, j, &v.dh, bends);
@@ -241,7 +271,7 @@ FX_WRAPS static inline __attribute__((always_inline)) uint32_t spans_draw(struct
     uint32_t j = (uint32_t)(e->row - setup->plane.oy), row = (uint32_t)(e->row - r->y0) * width, covered = 0;
     const struct spans_place place = spans_find(r, kind);
     struct spans_values v = spans_at(setup, 0u - ox, j, kind); /* linear: at the row's column 0 */
-    if (kind & SPANS_COLOUR) { /* to the nearest step */
+    if (kind & SPANS_COLOUR) {                                 /* to the nearest step */
         v.l += 1u << 23;
         v.h += 1u << 23;
         v.c += 1u << 23;
@@ -294,16 +324,17 @@ uint32_t spans_grey8_constant(struct raster *r, struct edges *e, uint32_t colour
 uint32_t spans_grey8_colours(struct raster *r, struct edges *e);
 uint32_t spans_grey8_dots(struct raster *r, struct edges *e);
 uint32_t spans_grey8_lengths(struct raster *r, struct edges *e); /* Duff's: setup->length */
+uint32_t spans_grey8_normals(struct raster *r, struct edges *e); /* Phong's, between normals at most 90 degrees apart */
 uint32_t spans_rgb888_constant(struct raster *r, struct edges *e, uint32_t colour);
 uint32_t spans_rgb888_colours(struct raster *r, struct edges *e);
 uint32_t spans_rgb888_dots(struct raster *r, struct edges *e);
 
 /* A case: none is inlined into another, so that each has all registers to itself. */
-#define SPANS_CASE(name, kind)                                                                                   \
-    FX_WRAPS static __attribute__((noinline)) uint32_t name(struct raster *r, struct edges *e,                   \
-                                                            const struct spans_look *look)                       \
-    {                                                                                                            \
-        return spans_draw(r, e, *look, kind);                                                                    \
+#define SPANS_CASE(name, kind)                                                                 \
+    FX_WRAPS static __attribute__((noinline)) uint32_t name(struct raster *r, struct edges *e, \
+                                                            const struct spans_look *look)     \
+    {                                                                                          \
+        return spans_draw(r, e, *look, kind);                                                  \
     }
 
 #endif

@@ -87,7 +87,7 @@ struct scene_material {
 enum scene_texture_format {
     TEXTURE_RGB565,   /* uint16_t texels */
     TEXTURE_PALETTE8, /* uint8_t indices into the palette, each less than `colours` */
-    TEXTURE_BUMP8,    /* int8_t Fu, Fv: slopes of a height, 127 for `steepness` */
+    TEXTURE_BUMP8,    /* int8_t x, y of the normal N', 128 for `steepness`; its z is a matter of x^2 + y^2 */
     TEXTURE_FORMATS
 };
 
@@ -101,16 +101,21 @@ enum scene_texture_format {
  */
 struct scene_texture {
     uint32_t texels;                 /* offset */
-    uint32_t palette;                /* offset of uint32_t[colours], 0x00RRGGBB; 0: no TEXTURE_PALETTE8 */
+    uint32_t palette;                /* offset of uint32_t[colours], 0x00RRGGBB; of TEXTURE_BUMP8 of uint16_t
+                                        [TEXTURE_RISES]: z in Q14, entry i of x^2 + y^2 from 128 i on (texel_rise()); else
+                                        0 */
     uint8_t log2_width, log2_height; /* 0..10 */
     uint8_t format;                  /* enum scene_texture_format */
     uint8_t flags;
-    uint16_t contrast;  /* a bound of the difference of texels next to each other in any channel (slope: of 127), in
-                           1/255 (1/127), Q8: what an error of a texel costs at most */
-    uint16_t steepness; /* of TEXTURE_BUMP8: the slope of 127, Q8, at least 1; else 0 */
+    uint16_t contrast;  /* a bound of the difference of texels next to each other in any channel, in 1/255 (of a
+                           normal: texel units), Q8: what an error of a texel costs at most */
+    uint16_t steepness; /* of TEXTURE_BUMP8: what 128 stands for, Q14, 1..TEXTURE_UNIT; else 0 */
     uint16_t colours;   /* of the palette, 1..256; without one 0 */
     uint16_t reserved;  /* 0 */
 };
+
+#define TEXTURE_UNIT  (1u << 14)
+#define TEXTURE_RISES 258u /* 128^2 + 128^2 is in entry 256; an even count */
 
 enum scene_fog_kind { FOG_NONE, FOG_LINEAR, FOG_EXPONENTIAL };
 
@@ -208,6 +213,7 @@ enum scene_fault {
     SCENE_E_STRUCTURE = -6, /* an array outside the blob, overlapping the header, misaligned or too long */
     SCENE_E_INDEX = -7,     /* a reference to something that is not there */
     SCENE_E_RANGE = -8,     /* a value outside the range given above */
+    SCENE_E_USES = -9,      /* a good scene, but it needs what this program was compiled without (uses.h) */
 };
 
 /* Checks all of the blob: 0, or what is wrong. `size` may exceed the blob's own length (flash behind it). Reads

@@ -99,16 +99,6 @@ static enum scene_fault check_fog(const struct scene_fog *f)
     return f->kind <= FOG_EXPONENTIAL && colour_ok(f->colour) && far && dense ? SCENE_OK : SCENE_E_RANGE;
 }
 
-/* floor(sqrt(x)), a bit at a time. */
-static uint32_t root(uint32_t x)
-{
-    uint32_t r = 0;
-    for (uint32_t bit = 1u << 15; bit; bit >>= 1)
-        if ((r | bit) * (r | bit) <= x)
-            r |= bit;
-    return r;
-}
-
 /* A square in Q28 of a length within 2^-13 of 1. */
 static bool square_ok(uint32_t square)
 {
@@ -132,8 +122,8 @@ static enum scene_fault check_vertices(const struct scene_header *s, const struc
             return SCENE_E_RANGE;
     }
     /* root < 2^16 and extent < 2^30 */
-    return ((uint64_t)(root(furthest) + 1) * (uint32_t)mesh->extent) >> 15 <= (uint32_t)mesh->radius ? SCENE_OK
-                                                                                                     : SCENE_E_RANGE;
+    return ((uint64_t)(fx_root(furthest) + 1) * (uint32_t)mesh->extent) >> 15 <= (uint32_t)mesh->radius ? SCENE_OK
+                                                                                                        : SCENE_E_RANGE;
 }
 
 /* Shading's overflow bounds rest on bends that belong to their normals: within 2^-11 of (1 - Na.Nb) / 2, which is
@@ -237,13 +227,16 @@ static enum scene_fault check_texture(const struct scene_header *s, const struct
     const uint8_t *index = scene_at(s, t->texels);
     if (t->log2_width > 10 || t->log2_height > 10 || t->format >= TEXTURE_FORMATS ||
         (t->flags & ~(TEXTURE_BILINEAR | TEXTURE_CLAMP_U | TEXTURE_CLAMP_V)) != 0 || t->reserved != 0 ||
-        (t->format == TEXTURE_BUMP8) != (t->steepness > 0) || (t->format == TEXTURE_PALETTE8) != (t->colours > 0) ||
-        t->colours > 256)
+        (t->format == TEXTURE_BUMP8) != (t->steepness > 0) || t->steepness > TEXTURE_UNIT ||
+        (t->format == TEXTURE_PALETTE8) != (t->colours > 0) || t->colours > 256)
         return SCENE_E_RANGE;
     const uint32_t texels = 1u << (t->log2_width + t->log2_height);
     if (!array_ok(s, t->texels, texels, t->format == TEXTURE_PALETTE8 ? 1 : 2) ||
-        !array_ok(s, t->palette, t->colours, sizeof(uint32_t)))
+        !array_ok(s, t->palette, t->steepness ? TEXTURE_RISES / 2 : t->colours, sizeof(uint32_t)))
         return SCENE_E_STRUCTURE;
+    for (uint32_t i = 0; t->steepness && i < TEXTURE_RISES; i++)
+        if (((const uint16_t *)scene_at(s, t->palette))[i] != texel_rise(t->steepness, i))
+            return SCENE_E_RANGE;
     for (uint32_t i = 0; t->colours && t->colours < 256 && i < texels; i++)
         if (index[i] >= t->colours)
             return SCENE_E_INDEX;
@@ -317,5 +310,7 @@ enum scene_fault scene_check(const void *blob, size_t size)
         fault = check_light(s, &scene_lights(s)[i]);
     if (!fault && ((s->effects & ~USES_EFFECTS) != 0 || (scene_effects(s) & ~s->effects) != 0))
         fault = SCENE_E_RANGE;
+    if (!fault && (s->effects & ~GLINT_USES) != 0)
+        fault = SCENE_E_USES;
     return fault;
 }

@@ -22,6 +22,8 @@ const char *scene_fault_text(enum scene_fault fault)
         return "a reference to something that is not in the scene";
     case SCENE_E_RANGE:
         return "a value is outside its range";
+    case SCENE_E_USES:
+        return "the scene needs an effect that this program was compiled without";
     }
     return "unknown fault";
 }

@@ -44,3 +44,10 @@ uint16_t texel_contrast(const struct scene_header *scene, const struct scene_tex
         }
     return (uint16_t)(most << 8);
 }
+
+uint16_t texel_rise(uint16_t steepness, uint32_t i)
+{
+    /* (128 i + 64) steepness^2 / 2^14 in Q28: of q < 2^15 and 2^28, below 2^29 */
+    const uint32_t level = (uint32_t)((128u * i + 64) * (uint64_t)((uint32_t)steepness * steepness) >> 14);
+    return level < 1u << 28 ? (uint16_t)fx_root((1u << 28) - level) : 0;
+}

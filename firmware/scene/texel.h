@@ -12,10 +12,14 @@ static inline uint32_t texel_expand(uint32_t texel)
     return red_blue << 3 | ((red_blue >> 2) & 0x70007) | green << 5 | ((green >> 1) & 0x300);
 }
 
-/* Texel `index` of a checked texture of colours, 0x00RRGGBB; of slopes, 0x0000UUVV, each 128 more than it is. */
+/* Texel `index` of a checked texture of colours, 0x00RRGGBB; of normals, 0x0000XXYY, each 128 more than it is. */
 uint32_t texel_at(const struct scene_header *scene, const struct scene_texture *texture, uint32_t index);
 
 /* The least scene_texture.contrast that is true. Repeating ones have their other end's texels beside the last. */
 uint16_t texel_contrast(const struct scene_header *scene, const struct scene_texture *texture);
+
+/* A bump map's z in Q14 for x^2 + y^2 in the middle of 128 i .. 128 i + 127, x and y as texels: that of a unit vector.
+ */
+uint16_t texel_rise(uint16_t steepness, uint32_t i);
 
 #endif

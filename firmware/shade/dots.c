@@ -112,7 +112,7 @@ void dots_setup(struct shade_setup *setup, const struct shade_input *in, const s
     plane_setup_quadratic(&setup->plane);
     const struct glint_power *const form = surface_form(s);
     const int folds = form && form->fold && factors->are_dots && !perspective && !in->tabled;
-    for (unsigned i = 0; i < surface_lights(s); i++) {
+    for (unsigned i = surface_lights(s); i--;) { /* the first last: is it alone? */
         struct dots_samples samples;
         uint8_t *const shown[2] = {&setup->diffuse_lights, &setup->specular_lights};
         dots_sample(in, i, &samples);
@@ -128,9 +128,9 @@ void dots_setup(struct shade_setup *setup, const struct shade_input *in, const s
             if (!dots_show(setup, in, i, which, range, bend, form != 0, &error))
                 continue;
             *shown[which] |= (uint8_t)(1u << i);
-            const int in_steps = !which && factors->folds && surface_fold(s) && !perspective;
-            interpolate(setup, in, 2 * i + which, error < s->bend_limit, samples.corner[which], bulge, perspective,
-                        which && folds ? form : 0, range, bend, in_steps);
+            const int in_steps = !which && factors->folds && steps_apply(setup, s) && !perspective;
+            interpolate(setup, in, 2 * i + which, error < dots_limit(setup, s, i), samples.corner[which], bulge,
+                        perspective, which && folds ? form : 0, range, bend, in_steps);
         }
     }
 }

@@ -41,7 +41,8 @@ void dots_sample(const struct shade_input *in, unsigned light, struct dots_sampl
 /* Bulges in Q28 of samples. */
 void dots_bulges(const int32_t corner[3], const int32_t middle[3], const struct dots_factors *factors, int32_t out[3]);
 
-/* A third of the largest bulge, rounded up, in Q14; 2 for the roundings of bulges and corner values. */
+/* How far a value leaves the linear one, Q14: a third of the largest bulge, rounded up; 2 for the roundings of bulges
+ * and corner values. */
 static inline int32_t dots_bulge_bend(const int32_t bulge[3])
 {
     int32_t most = 0;
@@ -89,7 +90,7 @@ static inline __attribute__((always_inline)) int dots_show(struct shade_setup *s
     int32_t top = range.high + bend, floor = highlight && !form ? bounds_power_floor(s->power) : 1;
     const int deep = highlight && (form ? range.low - bend < -32768 + 257 : dots_deep(s->power, range, bend));
     *error = 0; /* steps in Q8 at full intensity times a Q14 bend: below 2^16 * 2^16 */
-    if (top < floor && (!in->no_plan || deep))
+    if (top < floor && (!in->no_plan || deep || light)) /* of the others it matters that they do not show */
         return 0;
     if (highlight && USES(USES_FORMATS & ~USES_GREY4))
         setup->wide |= (uint8_t)dots_wide(s->power, range, bend);
@@ -104,13 +105,22 @@ static inline __attribute__((always_inline)) int dots_show(struct shade_setup *s
     return 1;
 }
 
+/* The change, in Q8 steps, below which a light's bend is left out. */
+static inline uint32_t dots_limit(const struct shade_setup *setup, const struct surface *s, unsigned light)
+{
+    return !light && shade_alone(setup) ? 128 : s->bend_limit;
+}
+
 /* Fills channels 2 l and 2 l + 1 of each light that can show, linear where the bend cannot; perspective-correct if
  * `perspective` is not null. */
 void dots_setup(struct shade_setup *setup, const struct shade_input *in, const struct dots_factors *factors,
                 const struct perspective *perspective);
 
-/* duff.c: fills SHADE_SQUARE by |N|^2 or, where that can be drawn straight into the band, 1 - |N|^2: then returns 1,
- * and N.L is to count in steps. The plane is set up for quadratics. */
-int duff_length(struct shade_setup *setup, const struct shade_input *in);
+/* Of duff.c, once the plane is set up for quadratics: whether a triangle that one light reaches can be drawn straight
+ * into the band (raster/spans.h), where the squared length as its difference from 1 fits plane_quadratic() and a table
+ * of reciprocal lengths holds what is below 1/4; and SHADE_SQUARE's channel, of 1 - |N|^2 with setup->length, else
+ * |N|^2. */
+int duff_direct(const struct shade_setup *setup, const struct shade_input *in);
+void duff_square(struct shade_setup *setup, const struct shade_input *in);
 
 #endif

@@ -7,17 +7,15 @@
 #include "shade/dots.h"
 #include "shade/piece.h"
 
-int duff_length(struct shade_setup *setup, const struct shade_input *in)
+int duff_direct(const struct shade_setup *setup, const struct shade_input *in)
 {
     const uint16_t *bend = in->triangle->bend;
-    struct channel *channel = &setup->channel[SHADE_SQUARE];
-    uint32_t most = bend[0] > bend[1] ? bend[0] : bend[1];
-    most = bend[2] > most ? bend[2] : most;
-    setup->length =
-        surface_fold(in->surface) && !object_local(in->object) && most <= SHADE_LENGTH_BEND && !setup->plane.slim;
-    /* straight into the band (raster/spans.h): the squared length as its difference from 1 fits plane_quadratic(), and
-     * a table of reciprocal lengths what is below 1/4 */
-    const int sign = setup->length ? -1 : 1;
+    return surface_fold(in->surface) && !object_local(in->object) && bend[0] <= SHADE_LENGTH_BEND &&
+           bend[1] <= SHADE_LENGTH_BEND && bend[2] <= SHADE_LENGTH_BEND && !setup->plane.slim;
+}
+
+void duff_square(struct shade_setup *setup, const struct shade_input *in)
+{
     int32_t value[3], bulge[3];
     for (int k = 0; k < 3; k++) {
         value[k] = Q14(1, 1);
@@ -25,15 +23,15 @@ int duff_length(struct shade_setup *setup, const struct shade_input *in)
     }
     if (in->weight)
         piece_quadratic(in->weight, value, bulge);
-    for (int k = 0; k < 3; k++) {
-        bulge[k] *= sign;
-        value[k] = setup->length ? Q14(1, 1) - value[k] : value[k];
+    if (!setup->length) {
+        plane_quadratic_large(&setup->plane, value, bulge, &setup->channel[SHADE_SQUARE]);
+        return;
     }
-    if (setup->length)
-        plane_quadratic(&setup->plane, value, bulge, channel);
-    else
-        plane_quadratic_large(&setup->plane, value, bulge, channel);
-    return setup->length;
+    for (int k = 0; k < 3; k++) {
+        bulge[k] = -bulge[k];
+        value[k] = Q14(1, 1) - value[k];
+    }
+    plane_quadratic(&setup->plane, value, bulge, &setup->channel[SHADE_SQUARE]);
 }
 
 void shade_duff(struct shade_setup *setup, const struct shade_input *in)
@@ -50,6 +48,8 @@ void shade_duff(struct shade_setup *setup, const struct shade_input *in)
     most += (most + 2) * 43691u >> 17; /* a third, rounded up */
     factors.stretch = dots_length_factor(most < 65536 ? most : 65536);
     factors.are_dots = 0;
-    factors.folds = duff_length(setup, in);
+    factors.folds = duff_direct(setup, in);
     dots_setup(setup, in, &factors, 0);
+    setup->length = (uint8_t)(factors.folds && shade_alone(setup));
+    duff_square(setup, in);
 }

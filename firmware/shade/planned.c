@@ -71,11 +71,11 @@ void shade_planned(struct shade_setup *setup, const struct shade_input *in)
 {
     const struct shade_plan *plan = &in->plan;
     const unsigned lights = surface_lights(in->surface);
-    const int folds = surface_fold(in->surface) != 0;
     int32_t factors[3] = {0, 0, 0};
     setup->runs_only = setup->depth.exact != 0;
     setup->diffuse_lights = plan->diffuse;
     setup->specular_lights = plan->specular;
+    const int folds = steps_apply(setup, in->surface);
     setup->quadratic = plan->rung == PLAN_SIX;
     if (setup->quadratic) {
         plane_setup_quadratic(&setup->plane);
@@ -102,11 +102,12 @@ void shade_planned_duff(struct shade_setup *setup, const struct shade_input *in)
     setup->diffuse_lights = in->plan.diffuse;
     setup->specular_lights = in->plan.specular;
     plane_setup_quadratic(&setup->plane);
-    const int folds = duff_length(setup, in);
+    setup->length = (uint8_t)(duff_direct(setup, in) && shade_alone(setup));
     for (unsigned i = 0; i < lights; i++) {
         if (in->plan.diffuse >> i & 1)
-            linear(setup, in, 2 * i, folds);
+            linear(setup, in, 2 * i, setup->length);
         if (in->plan.specular >> i & 1)
-            linear(setup, in, 2 * i + 1, folds);
+            linear(setup, in, 2 * i + 1, setup->length);
     }
+    duff_square(setup, in);
 }

@@ -29,6 +29,7 @@ struct shade_turned {
     struct scene_triangle triangle;
     struct scene_vertex vertex[3];
     int16_t uv[3][2];
+    struct scene_tangent tangent[USES(USES_BUMP) ? 3 : 1]; /* turned round with the normal: the slopes stay the map's */
     int16_t lights[3][USES(USES_TWO_SIDED) ? 2 * SCENE_MAX_LIGHTS + SHADE_VERTEX_WORDS : 1];
 };
 
@@ -40,6 +41,7 @@ struct shade_input {
     const struct scene_vertex *vertices;   /* of its mesh */
     const uint16_t (*weight)[3];           /* null: the corners are the source's */
     const int16_t (*uvs)[2];               /* of its mesh, Q12; null: none */
+    const struct scene_tangent *tangents;  /* likewise; for bump maps */
     const struct object_state *object;
     const struct surface *surface;
     uint16_t (
@@ -50,6 +52,7 @@ struct shade_input {
     uint8_t no_plan;             /* keep effects that cannot show */
     uint8_t every_zigzag;        /* GLINT_EVERY_ZIGZAG */
     uint8_t tabled;              /* a colour table holds the material's power, of N.H itself */
+    uint8_t grey_table;          /* there is a table for 8-bit grey */
     uint8_t sampled; /* mid-edges may need a look of their own: something is near, or the power has another form */
 };
 
@@ -65,6 +68,11 @@ void shade_turn(struct shade_turned *turned, struct shade_input *in, unsigned wo
 #define SHADE_MAX_CHANNELS (2 * SCENE_MAX_LIGHTS + 1)
 #define SHADE_WEIGHT       6                      /* beside places in perspective: W of shade/perspective.h, Q30 */
 #define SHADE_SQUARE       (2 * SCENE_MAX_LIGHTS) /* duff: the squared length of the normal */
+
+/* bump mapping: for each light L' and H' in the moving frame, Q30; behind them, of a light alone, their squared lengths
+ * (shade/bump.h) */
+#define SHADE_BUMP_LIGHTS   (USES(USES_SEVERAL_LIGHTS) ? SCENE_MAX_LIGHTS : 1)
+#define SHADE_BUMP_CHANNELS (USES(USES_BUMP) ? 6 * SHADE_BUMP_LIGHTS + 2 : 1)
 
 /*
  * Normals quadratic over the triangle, N = sum ni li - sum bij li lj: component `axis` of corner k, Q14, and the bulges
@@ -125,12 +133,13 @@ struct shade_setup {
             uint8_t uv_kind;   /* enum glint_texture of `uv` */
         };
     };
-    struct plane plane;
-    struct channel depth;
     struct channel uv[USES(USES_TEXTURE | USES_BUMP) ? 2 : 1]; /* texture coordinates: shade/uv.h */
     uint8_t uv_up;                                             /* of perspective ones: how far closeness is moved up */
+    struct plane plane;
+    struct channel depth; /* the first channel of those in a row: raster/spans_thumb.c */
     union {
         struct channel channel[SHADE_MAX_CHANNELS];
+        struct channel bump[SHADE_BUMP_CHANNELS];
         struct {
             struct channel before_rows[6]; /* the place's among them */
             struct shade_rows rows;
@@ -143,6 +152,12 @@ struct shade_setup {
     uint32_t flat[3];   /* flat: the finished colour, Q15 steps */
     struct channel fog; /* its part where that is linear, Q14 */
 };
+
+/* Whether no light but the first shows: the triangle is then drawn as under one light. Once the others are set up. */
+static inline int shade_alone(const struct shade_setup *setup)
+{
+    return !USES(USES_SEVERAL_LIGHTS) || (setup->diffuse_lights | setup->specular_lights) <= 1;
+}
 
 /* The lights whose highlight shows. */
 static inline unsigned shade_specular(const struct shade_setup *setup)
@@ -167,6 +182,11 @@ void shade_phong_perspective(struct shade_setup *setup, const struct shade_input
 void shade_overveld(struct shade_setup *setup, const struct shade_input *in);
 void shade_overveld_scan(struct shade_setup *setup, const struct shade_input *in);
 void shade_biquadratic(struct shade_setup *setup, const struct shade_input *in);
+void shade_bump_linear(struct shade_setup *setup, const struct shade_input *in);
+void shade_bump_quadratic(struct shade_setup *setup, const struct shade_input *in);
+void shade_bump_frames(struct shade_setup *setup, const struct shade_input *in);
+void shade_bump_upright(struct shade_setup *setup, const struct shade_input *in);
+void shade_bump_normalised(struct shade_setup *setup, const struct shade_input *in);
 void shade_biquadratic_perspective(struct shade_setup *setup, const struct shade_input *in);
 
 #endif

@@ -1,14 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * N.L in steps of the output: with 8-bit grey under one light, N.L's corner values and bulges are multiplied by the
- * material's diffuse light before they go on the plane. A channel then counts in Q22 steps (Q30 of 256), and a pixel's
- * diffuse light is a clamp and a shift.
+ * N.L in steps of the output: with 8-bit grey, where no light but the first reaches the triangle, N.L's corner values
+ * and bulges are multiplied by the material's diffuse light before they go on the plane. A channel then counts in Q22
+ * steps (Q30 of 256), and a pixel's diffuse light is a clamp and a shift.
  */
 #ifndef GLINT_STEPS_H
 #define GLINT_STEPS_H
 
 #include "plan/bounds.h"
 #include "shade/shade.h"
+
+/* Whether N.L of a triangle's first light counts in steps: it is the only one that shows. */
+static inline int steps_apply(const struct shade_setup *setup, const struct surface *surface)
+{
+    return surface_fold(surface) && shade_alone(setup);
+}
 
 /* Corner values, Q14: |value| <= 2^14.2, fold < 2^16. They round to 2^-14 of 256 steps, so the channel errs by 1/128.
  */

@@ -2,6 +2,7 @@
 #include "shade/surface.h"
 
 #include "plan/curve.h"
+#include "shade/shade.h"
 
 /* Product of two Q15 numbers of at most 1, rounded. */
 static uint32_t times(uint32_t a, uint32_t b)
@@ -46,6 +47,20 @@ static uint16_t reflected(const struct palette *palette, const uint16_t material
     return most;
 }
 
+static void find_bump(struct surface_bump *bump, const struct scene_header *scene, unsigned index)
+{
+    const struct scene_texture *texture = scene_textures(scene) + index;
+    bump->texel = 0;
+    if (index == SCENE_NO_TEXTURE)
+        return;
+    bump->texel = scene_at(scene, texture->texels);
+    bump->rise = scene_at(scene, texture->palette);
+    bump->log2_width = texture->log2_width;
+    bump->log2_height = texture->log2_height;
+    bump->flags = texture->flags;
+    bump->steepness = texture->steepness;
+}
+
 /* In grey a texel counts as the luma that it gives the diffuse colour, of what that has itself: exact under lights
  * without a hue. */
 static void weigh(const uint16_t diffuse[3], uint16_t grey[3])
@@ -75,6 +90,20 @@ FX_COLD static void take_texture(struct surface_texture *texture, const struct s
     weigh(material->diffuse, texture->grey);
 }
 
+/* Of ambient and diffuse light together, in the channel that has most: Q8, rounded up. */
+FX_COLD static uint32_t most_light(const struct surface *s, const struct palette *palette)
+{
+    uint32_t most = 0;
+    for (unsigned c = 0; c < s->channels; c++) {
+        uint32_t sum = s->base[c] >> 7; /* Q8 steps, at most 9 * 255 * 2^8 */
+        for (unsigned i = 0; i < s->lights; i++)
+            sum += s->light[i].diffuse[c];
+        sum = (sum + palette->top[c]) / palette->top[c];
+        most = sum > most ? sum : most;
+    }
+    return most;
+}
+
 FX_COLD void surface_setup(struct surface *surface, const struct scene_header *scene,
                            const struct scene_material *material, const struct palette *palette)
 {
@@ -85,6 +114,8 @@ FX_COLD void surface_setup(struct surface *surface, const struct scene_header *s
     surface->power = scene_powers(scene) + material->power;
     surface->plan.power = 0;
     surface->channels = palette->channels;
+    if (USES(USES_BUMP))
+        find_bump(&surface->bump, scene, material->bump);
     surface->lights = (uint8_t)scene->light_count;
     surface->highlights = 0;
     surface->bend_limit = limit[scene->light_count];
@@ -101,8 +132,10 @@ FX_COLD void surface_setup(struct surface *surface, const struct scene_header *s
             reflected(palette, material->specular, material->ks, light[i].colour, surface->light[i].specular);
         surface->highlights |= surface->light[i].specular_most != 0;
     }
+    if (USES(USES_TEXTURE) && surface->texture.texels)
+        surface->texture.lit = most_light(surface, palette);
     surface->fold = surface->ambient = 0;
-    if (USES(USES_GREY8) && palette->channels == 1 && palette->top[0] == 255 && surface->lights == 1 &&
+    if (USES(USES_GREY8) && palette->channels == 1 && palette->top[0] == 255 && surface->lights &&
         !surface_form(surface)) {
         surface->fold = surface->light[0].diffuse[0];
         surface->ambient = (uint16_t)((surface->base[0] >> 8) + (1 << 6));
@@ -137,7 +170,8 @@ FX_COLD void surface_plan(struct surface *surface, const struct palette *palette
     plan->power = surface->power;
     plan->lights = surface->lights;
     plan->highlights = surface->highlights;
-    plan->duff_bend = CURVE_MOST_BEND;
+    /* beyond it, where Phong goes straight into the band, Duff goes by runs */
+    plan->duff_bend = surface_fold(surface) && surface->lights == 1 ? SHADE_LENGTH_BEND : CURVE_MOST_BEND;
     plan->foot = (int16_t)((1 << 14) - ((1 << 14) >> surface->power->octave));
     for (unsigned c = 0; c < surface->channels; c++) {
         const uint32_t ambient = in_255(surface->base[c] >> 7, palette->top[c]);
@@ -157,6 +191,9 @@ FX_COLD void surface_plan(struct surface *surface, const struct palette *palette
     }
     /* Roundings may take as much as 1 beyond the budget; the rest is the budget's. */
     const uint32_t rough = roughness(plan), excess = rough > ROUNDINGS ? rough - ROUNDINGS : 0;
+    plan->apart = USES(USES_TEXTURE) && surface->texture.texels;
+    if (plan->apart)
+        budget = (uint16_t)(budget - PLAN_TEXTURE_SHARE(budget));
     plan->sharp = excess > budget;
     plan->budget = (uint16_t)(plan->sharp ? 0 : budget - excess);
 }

@@ -15,11 +15,21 @@ struct palette {
     uint8_t top[3];
 };
 
+/* A bump map of the scene, ready for its pixels. */
+struct surface_bump {
+    const int8_t (*texel)[2];        /* null: none */
+    const uint16_t *rise;            /* Q14 */
+    uint8_t log2_width, log2_height; /* 0..10 */
+    uint8_t flags;
+    uint16_t steepness; /* Q14 */
+};
+
 /* A texture, for the pixels. */
 struct surface_texture {
     const void *texels; /* null: none */
     const uint32_t *palette;
     const struct scene_texture *head;
+    uint32_t lit;     /* the most light that it can be under, Q8 of full intensity, rounded up */
     uint16_t grey[3]; /* what red, green and blue of a texel count in a grey picture, Q8, of sum 1 */
 };
 
@@ -29,7 +39,7 @@ struct surface {
     uint8_t channels, lights;
     uint8_t bend_limit; /* a bend that moves a channel by less is left out: half a step over all lights, Q8 */
     uint8_t highlights; /* some channel of `specular` is not 0 */
-    /* 8-bit grey under one light (shade/steps.h), else 0: diffuse light in Q16 of 256 steps, and the ambient part with
+    /* 8-bit grey (shade/steps.h), else 0: the first light's diffuse part in Q16 of 256 steps, and the ambient part with
      * the rounding half, Q7 steps */
     uint16_t fold, ambient;
     struct plan_surface plan; /* glint_auto's; its power is null until surface_plan() has filled it */
@@ -40,6 +50,7 @@ struct surface {
         uint16_t diffuse[3], specular[3];     /* at N.L = 1, (N.H)^n = 1: Q8 steps, at most 255 * 2^8 */
         uint16_t diffuse_most, specular_most; /* the largest of each */
     } light[SCENE_MAX_LIGHTS];
+    struct surface_bump bump;
 };
 
 /* Of them, what a program for given scenes and formats knows at once. */
@@ -50,6 +61,10 @@ static inline unsigned surface_channels(const struct surface *s)
 static inline unsigned surface_lights(const struct surface *s)
 {
     return USES(USES_SEVERAL_LIGHTS) ? s->lights : s->lights != 0;
+}
+static inline int surface_bumps(const struct surface *s)
+{
+    return USES(USES_BUMP) && s->bump.texel;
 }
 static inline int surface_highlights(const struct surface *s)
 {

@@ -29,6 +29,13 @@ void shade_turn(struct shade_turned *turned, struct shade_input *in, unsigned wo
         }
         for (int i = 0; i < 2 && in->object->mesh->uvs; i++)
             turned->uv[SHADE_TURN(k)][i] = in->uvs[source->corner[k]][i];
+        if (USES(USES_BUMP) && in->object->mesh->tangents) {
+            const struct scene_tangent *frame = &in->tangents[source->corner[k]];
+            struct scene_tangent *back = &turned->tangent[SHADE_TURN(k)];
+            for (int i = 0; i < 3; i++)
+                back->tangent[i] = (q14_t)-frame->tangent[i];
+            back->sign = (int16_t)-frame->sign;
+        }
         for (unsigned i = 0; i < dots; i++)
             turned->lights[k][i] = opposite(lights[k][i]);
         for (unsigned i = dots; i < dots + words; i++)
@@ -42,4 +49,5 @@ void shade_turn(struct shade_turned *turned, struct shade_input *in, unsigned wo
     in->triangle = &turned->triangle;
     in->vertices = turned->vertex;
     in->uvs = (const int16_t(*)[2])turned->uv;
+    in->tangents = turned->tangent;
 }

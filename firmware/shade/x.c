@@ -30,13 +30,13 @@ static inline __attribute__((always_inline)) int interpolate(struct shade_setup 
     const int32_t bend = bounds_bend(range, curl);
     if (!dots_show(setup, in, light, highlight, range, bend, 0, &error))
         return 0;
-    int linear = error < in->surface->bend_limit;
+    int linear = error < dots_limit(setup, in->surface, light);
     if (!linear || in->weight) {
         bulges(value, in->triangle, bulge);
         if (in->weight)
             piece_quadratic(in->weight, value, bulge);
     }
-    if (!highlight && surface_fold(in->surface))
+    if (!highlight && steps_apply(setup, in->surface))
         steps_take(setup, in->surface, range, bend, value, linear ? 0 : bulge);
     if (linear) {
         plane_linear(&setup->plane, value, channel);
@@ -84,7 +84,7 @@ void shade_x(struct shade_setup *setup, const struct shade_input *in)
     }
     int32_t curl = bounds_curl(in->triangle->bend);
     setup->runs_only = setup->depth.exact != 0;
-    for (unsigned i = 0; i < surface_lights(in->surface); i++) {
+    for (unsigned i = surface_lights(in->surface); i--;) { /* the first last: is it alone? */
         if (interpolate(setup, in, i, 0, curl))
             setup->diffuse_lights |= (uint8_t)(1u << i);
         if (surface_highlights(in->surface) && interpolate(setup, in, i, 1, curl))

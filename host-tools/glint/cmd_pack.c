@@ -107,7 +107,7 @@ static int pack_print_uses(char **paths, uint32_t uses, const struct pack_option
         int code = pack_load(*paths, options, &result);
         if (code)
             return code;
-        uses |= scene_effects(result.scene);
+        uses |= result.scene->effects;
         pack_free(&result);
     }
     printf("#define GLINT_USES 0x%06xu /*", (unsigned)uses);

@@ -67,6 +67,18 @@ static void physical(const struct aiMaterial *in, const double base[3], struct m
     out->ks = 1;
 }
 
+/* The file of the colours' texture; null: none, or one inside the model. */
+static char *picture_of(const struct aiMaterial *in)
+{
+    static const enum aiTextureType types[] = {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE};
+    struct aiString path;
+    for (int i = 0; i < 2; i++)
+        if (aiGetMaterialTexture(in, types[i], 0, &path, NULL, NULL, NULL, NULL, NULL, NULL) == AI_SUCCESS &&
+            path.length > 0)
+            return path.data[0] == '*' ? NULL : model_copy(path.data);
+    return NULL;
+}
+
 static void read_material(const struct aiMaterial *in, struct model *model)
 {
     struct aiString name = {0};
@@ -75,6 +87,7 @@ static void read_material(const struct aiMaterial *in, struct model *model)
     struct model_material *out = model_add_material(model, named ? name.data : "unnamed");
     int two_sided = 0;
     out->two_sided = aiGetMaterialInteger(in, AI_MATKEY_TWOSIDED, &two_sided) == AI_SUCCESS && two_sided;
+    out->picture = picture_of(in);
     for (int k = 0; k < 3; k++)
         out->diffuse[k] = 0.75;
     if (get_colour(in, "$clr.base", base)) {
@@ -107,6 +120,9 @@ static const char *read_mesh(const struct aiMesh *in, uint32_t material, struct 
             return "a vertex is not finite, or too far away";
         const double position[3] = {p->x, p->y, p->z};
         model_add_vertex(out, position, n ? (const double[3]){n->x, n->y, n->z} : none, uv ? uv->x : 0, uv ? uv->y : 0);
+        if (in->mTangents) /* glTF's; tangents_make() makes others, and takes no notice of what is not finite */
+            memcpy(out->vertices[first + i].tangent,
+                   (double[]){in->mTangents[i].x, in->mTangents[i].y, in->mTangents[i].z}, 3 * sizeof(double));
         out->has_uvs |= uv && isfinite(uv->x) && isfinite(uv->y);
     }
     for (unsigned i = 0; i < in->mNumFaces; i++) {
@@ -130,8 +146,7 @@ static const struct aiScene *load(const char *path)
     aiSetImportPropertyInteger(properties, AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     aiSetImportPropertyInteger(properties, AI_CONFIG_PP_RVC_FLAGS,
                                aiComponent_COLORS | aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS |
-                                   aiComponent_TEXTURES | aiComponent_LIGHTS | aiComponent_CAMERAS |
-                                   aiComponent_TANGENTS_AND_BITANGENTS);
+                                   aiComponent_TEXTURES | aiComponent_LIGHTS | aiComponent_CAMERAS);
     const struct aiScene *scene = aiImportFileExWithProperties(path, steps, NULL, properties);
     aiReleasePropertyStore(properties);
     return scene;

@@ -59,7 +59,9 @@ static uint32_t add_vertex(const struct patch *p, unsigned i, unsigned j)
     replace_zero(dv, duv, 2 * i > p->steps);
     vec_cross(du, dv, normal);
     vec_normalise(normal);
-    return model_add_vertex(p->mesh, position, normal, (double)i / p->steps, (double)j / p->steps);
+    uint32_t index = model_add_vertex(p->mesh, position, normal, (double)i / p->steps, (double)j / p->steps);
+    memcpy(p->mesh->vertices[index].tangent, du, sizeof du);
+    return index;
 }
 
 static void add_triangle(const struct patch *p, uint32_t a, uint32_t b, uint32_t c)

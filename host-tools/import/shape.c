@@ -36,12 +36,22 @@ static void orient(struct model_mesh *mesh, size_t vertex, size_t triangle, enum
     for (struct model_vertex *v = mesh->vertices + vertex; v < mesh->vertices + mesh->vertex_count; v++) {
         set_axis(v->position, axis);
         set_axis(v->normal, axis);
+        set_axis(v->tangent, axis);
     }
     for (size_t i = triangle; axis == SHAPE_Y && i < mesh->triangle_count; i++) {
         uint32_t *corner = mesh->triangles[i].corner, b = corner[1];
         corner[1] = corner[2];
         corner[2] = b;
     }
+}
+
+/* Adds a vertex and its tangent: around the axis at angle u. */
+static void add_round(struct model_mesh *mesh, const double position[3], const double normal[3], double angle, double u,
+                      double v)
+{
+    const double tangent[3] = {-sin(angle), cos(angle), 0};
+    uint32_t index = model_add_vertex(mesh, position, normal, u, v);
+    memcpy(mesh->vertices[index].tangent, tangent, sizeof tangent);
 }
 
 void shape_torus(struct model_mesh *mesh, enum shape_axis axis, double radius, double tube, unsigned rings,
@@ -53,7 +63,7 @@ void shape_torus(struct model_mesh *mesh, enum shape_axis axis, double radius, d
             double u = turn * (i % rings) / rings, v = turn * (j % sides) / sides, r = radius + tube * cos(v);
             const double position[3] = {r * cos(u), r * sin(u), tube * sin(v)};
             const double normal[3] = {cos(v) * cos(u), cos(v) * sin(u), sin(v)};
-            model_add_vertex(mesh, position, normal, (double)i / rings, (double)j / sides);
+            add_round(mesh, position, normal, u, (double)i / rings, (double)j / sides);
         }
     quads(mesh, (uint32_t)vertex, rings, sides, false);
     orient(mesh, vertex, triangle, axis);
@@ -68,7 +78,7 @@ void shape_sphere(struct model_mesh *mesh, enum shape_axis axis, double radius, 
             double s = j == stacks ? 0 : sin(v); /* the poles are points */
             const double normal[3] = {s * cos(u), s * sin(u), cos(v)};
             const double position[3] = {radius * normal[0], radius * normal[1], radius * normal[2]};
-            model_add_vertex(mesh, position, normal, (double)i / slices, 1 - (double)j / stacks);
+            add_round(mesh, position, normal, u, (double)i / slices, 1 - (double)j / stacks);
         }
     quads(mesh, (uint32_t)vertex, slices, stacks, true);
     orient(mesh, vertex, triangle, axis);
@@ -133,7 +143,7 @@ void shape_revolve(struct model_mesh *mesh, enum shape_axis axis, const double (
                 vec_normalise(n);
                 const double position[3] = {profile[end][0] * cos(u), profile[end][0] * sin(u), profile[end][1]};
                 const double normal[3] = {n[0] * cos(u), n[0] * sin(u), n[1]};
-                model_add_vertex(mesh, position, normal, (double)i / slices, (double)end / (double)(points - 1));
+                add_round(mesh, position, normal, u, (double)i / slices, (double)end / (double)(points - 1));
             }
         quads(mesh, first, slices, 1, false);
     }

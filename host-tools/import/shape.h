@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Parametric shapes. Each adds its vertices and triangles, counter-clockwise from outside, with analytic normals and
- * texture coordinates 0..1 to a mesh. Rows of quads split along (i, j)-(i+1, j+1); the first and the last column
- * coincide exactly. Vertices that coincide are left for welding, and triangles without area (at a pole) for dropping.
+ * Parametric shapes. Each adds its vertices and triangles, counter-clockwise from outside, with analytic normals,
+ * tangents and texture coordinates 0..1 to a mesh. Rows of quads split along (i, j)-(i+1, j+1); the first and the last
+ * column coincide exactly. Vertices that coincide are left for welding, and triangles without area (at a pole) for
+ * dropping.
  */
 #ifndef SHAPE_H
 #define SHAPE_H

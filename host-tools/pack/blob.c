@@ -4,6 +4,7 @@
 #include "pack/convert.h"
 #include "pack/quantise.h"
 #include "pack/texture.h"
+#include "pack/uses.h"
 #include "scene/scene_effects.h"
 #include "scene/texel.h"
 
@@ -120,6 +121,8 @@ static void put_textures(struct builder *b, const struct scene_material *materia
             texture_pack(&b->model->textures[t], &packed, &report->textures[report->texture_count++]);
             packed.head.texels = put(b, packed.texels, packed.size);
             packed.head.palette = put(b, packed.palette, packed.head.colours * sizeof *packed.palette);
+            if (packed.rises)
+                packed.head.palette = put(b, packed.rises, TEXTURE_RISES * sizeof *packed.rises);
             map[t] = b->header.texture_count;
             textures[b->header.texture_count++] = packed.head;
             texture_free(&packed);
@@ -183,6 +186,8 @@ static void put_lights_and_keys(struct builder *b)
     struct scene_key *keys = model_alloc(model->key_count * sizeof *keys);
     for (size_t i = 0; i < model->light_count; i++)
         lights[i] = convert_light(&model->lights[i]);
+    const struct scene_camera camera = convert_camera(&model->camera);
+    uses_order_lights(lights, (unsigned)model->light_count, &camera);
     for (size_t i = 0; i < model->key_count; i++)
         keys[i] = convert_key(&model->keys[i], NULL);
     for (size_t o = 0; o < model->object_count; o++) {

@@ -2,6 +2,7 @@
 #include "pack/quantise.h"
 
 #include "import/normals.h"
+#include "import/tangents.h"
 #include "pack/convert.h"
 #include "pack/inflection.h"
 #include "scene/vec.h"
@@ -17,6 +18,7 @@
 struct corner {
     struct scene_vertex vertex;
     int16_t uv[2];
+    struct scene_tangent tangent;
 };
 
 struct state {
@@ -25,7 +27,7 @@ struct state {
     struct quantise_mesh *out;
     struct scene_mesh grid; /* centre and extent */
     double uv_origin[2];
-    bool uvs;
+    bool uvs, tangents;
     struct quantise_part *part;
     uint32_t *slots; /* index + 1 of a vertex of the part; 0: free */
 };
@@ -55,16 +57,17 @@ static const char *choose_grid(struct state *s)
 
 /* What a material asks of the mesh. */
 struct wants {
-    bool uvs, clamp[2];
+    bool uvs, clamp[2], tangents;
 };
 
 static struct wants find_wants(const struct model *model, const struct model_mesh *mesh, int material)
 {
-    struct wants wants = {false, {false, false}};
+    struct wants wants = {false, {false, false}, false};
     for (size_t i = 0; i < mesh->triangle_count; i++) {
         const struct model_material *m =
             &model->materials[material >= 0 ? (uint32_t)material : mesh->triangles[i].material];
         const int maps[2] = {m->texture, m->bump};
+        wants.tangents |= m->bump >= 0;
         for (int k = 0; k < 2; k++)
             if (maps[k] >= 0) {
                 wants.uvs = true;
@@ -115,6 +118,12 @@ static void quantise_corner(const struct state *s, const struct model_vertex *in
         length = hypot(length, out->vertex.normal[k]);
         dot += normal[k] * out->vertex.normal[k];
     }
+    double tangent[3] = {in->tangent[0], in->tangent[1], in->tangent[2]};
+    if (s->tangents)
+        tangents_upright(normal, tangent);
+    for (int k = 0; s->tangents && k < 3; k++)
+        out->tangent.tangent[k] = (q14_t)convert_q(tangent[k], 14);
+    out->tangent.sign = s->tangents ? (int16_t)in->sign : 0;
     for (int k = 0; s->uvs && k < 2; k++)
         out->uv[k] = (int16_t)convert_q(in->uv[k] - s->uv_origin[k], 12);
     s->report->position_error = fmax(s->report->position_error, distance);
@@ -142,6 +151,8 @@ static void open_part(struct state *s)
     s->part->triangles = model_alloc(MOST_PART * sizeof *s->part->triangles);
     if (s->uvs)
         s->part->uvs = model_alloc(MOST_PART * sizeof *s->part->uvs);
+    if (s->tangents)
+        s->part->tangents = model_alloc(MOST_PART * sizeof *s->part->tangents);
     memset(s->slots, 0, SLOTS * sizeof *s->slots);
 }
 
@@ -159,11 +170,14 @@ static uint16_t weld(struct state *s, const struct corner *c)
             part->vertices[index] = c->vertex;
             if (part->uvs)
                 memcpy(part->uvs[index], c->uv, sizeof c->uv);
+            if (part->tangents)
+                part->tangents[index] = c->tangent;
             *slot = index + 1;
             return (uint16_t)index;
         }
         if (!memcmp(&part->vertices[index], &c->vertex, sizeof c->vertex) &&
-            (!part->uvs || !memcmp(part->uvs[index], c->uv, sizeof c->uv)))
+            (!part->uvs || !memcmp(part->uvs[index], c->uv, sizeof c->uv)) &&
+            (!part->tangents || !memcmp(&part->tangents[index], &c->tangent, sizeof c->tangent)))
             return (uint16_t)index;
     }
 }
@@ -213,6 +227,18 @@ static void set_radius(struct quantise_part *part)
     part->head.radius = (int32_t)ceil((furthest + 1) * part->head.extent / 32768) + 1;
 }
 
+/* What tangents may change of a mesh. */
+static void copy_mesh(const struct model_mesh *in, struct model_mesh *out)
+{
+    const size_t vertices = in->vertex_count * sizeof *out->vertices;
+    const size_t triangles = in->triangle_count * sizeof *out->triangles;
+    *out = *in;
+    out->vertices = memcpy(model_alloc(vertices), in->vertices, vertices);
+    out->triangles = memcpy(model_alloc(triangles), in->triangles, triangles);
+    out->vertex_room = in->vertex_count;
+    out->triangle_room = in->triangle_count;
+}
+
 const char *quantise_mesh(const struct model *model, const struct model_mesh *mesh, int material,
                           struct quantise_mesh *out, struct pack_mesh_report *report)
 {
@@ -228,12 +254,21 @@ const char *quantise_mesh(const struct model *model, const struct model_mesh *me
     reason = choose_uvs(&s, &wants);
     if (reason)
         return reason;
+    struct model_mesh framed = {0};
+    if (wants.tangents) {
+        copy_mesh(mesh, &framed);
+        tangents_make(&framed);
+        s.mesh = mesh = &framed;
+        s.tangents = true;
+    }
     s.slots = model_alloc(SLOTS * sizeof *s.slots);
     for (size_t i = 0; i < mesh->triangle_count; i++) {
         uint32_t m = material >= 0 ? (uint32_t)material : mesh->triangles[i].material;
         add_triangle(&s, &mesh->triangles[i], m, model->materials[m].flat);
     }
     free(s.slots);
+    free(framed.vertices);
+    free(framed.triangles);
     report->parts = out->part_count;
     for (unsigned i = 0; i < out->part_count; i++) {
         struct quantise_part *part = &out->parts[i];

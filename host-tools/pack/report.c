@@ -71,13 +71,13 @@ static void print_texture(FILE *out, const struct pack_texture_report *t)
         fprintf(out, ", %u colours", t->colours_read);
     if (t->colours_read > 256)
         fputs(" brought down to 256", out);
-    fprintf(out, ", colours off by %.2f/255 rms\n", t->error);
+    fprintf(out, ", %s off by %.2f/255 rms\n", t->normals ? "normals" : "colours", t->error);
 }
 
 void report_print_effects(FILE *out, const struct scene_header *s)
 {
     fputs("effects ", out);
-    uses_print(out, scene_effects(s));
+    uses_print(out, s->effects);
     fputc('\n', out);
 }
 

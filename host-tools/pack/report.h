@@ -23,7 +23,8 @@ struct pack_texture_report {
     char *name;
     unsigned read[2], size[2]; /* columns and rows, as read and as packed */
     unsigned colours_read;     /* of a palette: before they were brought down to 256 */
-    double error;              /* root mean square of what rounding colours did, 1/255 */
+    bool normals;              /* a bump map */
+    double error;              /* root mean square of what rounding colours or normals did, 1/255 */
 };
 
 struct pack_report {

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 #include "pack/texture.h"
 
+#include "pack/bump.h"
 #include "pack/palette.h"
 #include "scene/texel.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* The nearest power of two by ratio. */
-static uint8_t nearest_log2(unsigned size)
+uint8_t texture_log2(unsigned size)
 {
     uint8_t log2 = 0;
     while (1u << log2 < TEXTURE_MOST && size > (1u << log2) * M_SQRT2)
@@ -81,7 +81,11 @@ static double squares(uint32_t a, uint32_t b)
 
 void texture_pack(const struct model_texture *in, struct texture_packed *out, struct pack_texture_report *report)
 {
-    const uint8_t log2[2] = {nearest_log2(in->width), nearest_log2(in->height)};
+    if (in->format == TEXTURE_BUMP8) {
+        bump_pack(in, out, report);
+        return;
+    }
+    const uint8_t log2[2] = {texture_log2(in->width), texture_log2(in->height)};
     const size_t texels = (size_t)1 << (log2[0] + log2[1]);
     uint32_t *rgb = resample(in, 1u << log2[0], 1u << log2[1]);
     double error = 0;
@@ -112,5 +116,6 @@ void texture_free(struct texture_packed *texture)
 {
     free(texture->texels);
     free(texture->palette);
+    free(texture->rises);
     *texture = (struct texture_packed){0};
 }

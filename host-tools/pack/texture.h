@@ -13,7 +13,11 @@ struct texture_packed {
     void *texels;
     size_t size; /* bytes */
     uint32_t *palette;
+    uint16_t *rises; /* of a bump map: TEXTURE_RISES */
 };
+
+/* The nearest power of two by ratio, at most TEXTURE_MOST. */
+uint8_t texture_log2(unsigned size);
 
 /* Fills the report. */
 void texture_pack(const struct model_texture *in, struct texture_packed *out, struct pack_texture_report *report);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "pack/uses.h"
 
+#include <math.h>
 #include <string.h>
 
 const struct uses_name uses_names[] = {{USES_TEXTURE, "texture"},
@@ -30,6 +31,29 @@ void uses_print(FILE *out, uint32_t uses)
     for (const struct uses_name *n = uses_names; n->name; n++)
         if (uses & n->bit)
             fprintf(out, " %s", n->name);
+}
+
+/* How far a far light stands on the eye's side: the cosine of its angle to the view, -1..1. */
+static double uses_facing(const struct scene_light *light, const struct scene_camera *camera)
+{
+    const double w = ldexp(camera->rotation[0], -30), x = ldexp(camera->rotation[1], -30),
+                 y = ldexp(camera->rotation[2], -30), z = ldexp(camera->rotation[3], -30);
+    if (light->kind == LIGHT_POINT || light->motion.kind != MOTION_NONE)
+        return 0;
+    return ldexp(light->vector[0] * 2 * (x * z - w * y) + light->vector[1] * 2 * (y * z + w * x) +
+                     light->vector[2] * (w * w - x * x - y * y + z * z),
+                 -30);
+}
+
+void uses_order_lights(struct scene_light *lights, unsigned count, const struct scene_camera *camera)
+{
+    for (unsigned i = 1; i < count; i++) {
+        const struct scene_light light = lights[i];
+        unsigned at = i;
+        for (; at && uses_facing(&lights[at - 1], camera) < uses_facing(&light, camera); at--)
+            lights[at] = lights[at - 1];
+        lights[at] = light;
+    }
 }
 
 static uint32_t find_one(const char *name, size_t length)

@@ -5,6 +5,7 @@
 
 #include "scene/scene_effects.h"
 
+#include <stdint.h>
 #include <stdio.h>
 
 struct uses_name {
@@ -15,6 +16,13 @@ extern const struct uses_name uses_names[]; /* effects, then formats; the last h
 
 /* The names of a set, each behind a space, or " none". */
 void uses_print(FILE *out, uint32_t uses);
+
+/*
+ * Sorts lights so that those come first which light the more of what can be seen: a triangle that only the first
+ * reaches is drawn as under one light (firmware/shade/steps.h, firmware/raster/table.c). The order changes no bit.
+ * Lights that move and such in the scene stand between those before and those behind it.
+ */
+void uses_order_lights(struct scene_light *lights, unsigned count, const struct scene_camera *camera);
 
 /* The set of formats, and dither, of names apart by commas; 0 if one is no such name. */
 uint32_t uses_find(const char *names);

@@ -174,6 +174,7 @@ void decode_vertices(const struct scene_header *scene, const struct scene_object
     const struct scene_mesh *mesh = scene_meshes(scene) + object->mesh;
     const struct scene_vertex *packed = scene_at(scene, mesh->vertices);
     const int16_t(*uvs)[2] = mesh->uvs ? scene_at(scene, mesh->uvs) : NULL;
+    const struct scene_tangent *tangents = mesh->tangents ? scene_at(scene, mesh->tangents) : NULL;
     struct decode_pose pose, eye;
     double centre[3], extent = decode_q(mesh->extent, 16);
     decode_object(scene, object, time_ms, &pose);
@@ -185,6 +186,12 @@ void decode_vertices(const struct scene_header *scene, const struct scene_object
             position[i] = centre[i] + extent * decode_q(packed[v].position[i], 15);
             normal[i] = decode_q(packed[v].normal[i], 14);
         }
+        double tangent[3] = {0, 0, 0};
+        for (int i = 0; tangents && i < 3; i++)
+            tangent[i] = decode_q(tangents[v].tangent[i], 14);
+        vertices[v].sign = tangents ? tangents[v].sign : 0;
+        vec_quat_rotate(pose.rotation, tangent, tangent);
+        vec_quat_rotate(eye.rotation, tangent, vertices[v].tangent);
         for (int k = 0; k < 2; k++)
             vertices[v].uv[k] = uvs ? decode_q(uvs[v][k], 12) : 0;
         decode_apply(&pose, position, position);
@@ -216,6 +223,7 @@ void decode_turn(const struct scene_header *scene, const struct scene_object *ob
         for (int i = 0; i < 3; i++)
             position[i] += origin[i];
         vec_quat_rotate(turn, vertices[v].normal, vertices[v].normal);
+        vec_quat_rotate(turn, vertices[v].tangent, vertices[v].tangent);
     }
 }
 
@@ -233,6 +241,8 @@ void decode_material(const struct scene_header *scene, unsigned index, struct de
     }
     material->shininess = packed->shininess;
     material->texture.scene = scene;
+    material->bump.scene = scene;
+    material->bump.head = packed->bump == SCENE_NO_TEXTURE ? NULL : scene_textures(scene) + packed->bump;
     material->texture.head = packed->texture == SCENE_NO_TEXTURE ? NULL : scene_textures(scene) + packed->texture;
     decode_colour(packed->diffuse, material->grey);
     const double share[3] = {.299, .587, .114};

@@ -18,6 +18,7 @@ struct decode_vertex {
     double position[3];
     double normal[3]; /* as packed: its length within 2^-13 of 1 */
     double uv[2];
+    double tangent[3], sign; /* of the moving frame, as packed; sign 0: none */
 };
 
 struct decode_texture {
@@ -30,7 +31,7 @@ struct decode_material {
     double diffuse[3];  /* diffuse * kd */
     double specular[3]; /* specular * ks */
     double shininess;
-    struct decode_texture texture;
+    struct decode_texture texture, bump;
     double grey[3]; /* what a texel's channels count where one is shaded: luma of the diffuse colour, of sum 1 */
     bool two_sided;
 };

@@ -3,6 +3,7 @@
 #ifndef METHOD_H
 #define METHOD_H
 
+#include "reference/bump.h"
 #include "reference/reference.h"
 #include "reference/shading.h"
 
@@ -13,6 +14,7 @@ struct method {
     void (*setup)(struct shading *shading);
     /* The colour, 0..1 a channel, where the barycentric coordinates are `at`: in space or in the picture. */
     void (*pixel)(const struct shading *shading, const double at[3], double colour[3]);
+    enum bump_kind bump; /* how it draws materials with a bump map, in place of these */
 };
 
 /* By enum reference_method. */

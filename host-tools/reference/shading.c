@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "reference/shading.h"
 
+#include "reference/bump.h"
 #include "reference/method.h"
 #include "scene/vec.h"
 
@@ -22,6 +23,7 @@ void shading_material(struct shading *shading, const struct decode_view *view, c
     shading->texel[0] = shading->texel[1] = shading->texel[2] = 1;
     shading->channels = channels;
     shading->shininess = material->shininess;
+    shading->bumped = material->bump.head != NULL;
     shading_channels(material->ambient, channels, shading->ambient);
     for (unsigned l = 0; l < view->light_count; l++) {
         double diffuse[3], specular[3];
@@ -41,12 +43,15 @@ void shading_setup(struct shading *shading, const struct method *method, const s
     memcpy(shading->corner, corner, sizeof shading->corner);
     memcpy(shading->bend, bend, sizeof shading->bend);
     memcpy(shading->place, place, sizeof shading->place);
-    method->setup(shading);
+    shading->bumped = shading->bumped && method->bump != BUMP_NONE;
+    if (shading->bumped)
+        bump_setup(shading, method->bump);
+    else
+        method->setup(shading);
 }
 
-/* The directions towards the light and half-way to the viewer, unit, at a point. */
-static void shading_directions(const struct decode_view *view, const struct decode_light *light, const double point[3],
-                               double towards[2][3])
+void shading_directions(const struct decode_view *view, const struct decode_light *light, const double point[3],
+                        double towards[2][3])
 {
     double viewer[3] = {0, 0, 1};
     memcpy(towards[0], light->vector, sizeof towards[0]);

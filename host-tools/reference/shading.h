@@ -24,15 +24,18 @@ struct shading {
     double bend[3]; /* (1 - Ni.Nj) / 2 of the edges */
     unsigned edges; /* biquadratic: that may be quadratic, a bit each */
     /* What subdivision asks for. */
-    double tolerance;                          /* of colour, at the centre */
-    double part_area;                          /* in pixels, not larger */
-    bool highlight;                            /* can reach it */
-    struct peak peak;                          /* of subdivide-highlight */
-    double place[3][2];                        /* of the corners in the picture, pixels to the right and down */
-    struct quadratic colour[3];                /* of the channels */
-    struct quadratic dot[SCENE_MAX_LIGHTS][2]; /* N.L [0] and N.H [1] of the lights */
-    struct quadratic normal[3];                /* of the components */
-    struct quadratic square;                   /* |N|^2 */
+    double tolerance;                                /* of colour, at the centre */
+    double part_area;                                /* in pixels, not larger */
+    bool highlight;                                  /* can reach it */
+    struct peak peak;                                /* of subdivide-highlight */
+    double place[3][2];                              /* of the corners in the picture, pixels to the right and down */
+    struct quadratic colour[3];                      /* of the channels */
+    struct quadratic dot[SCENE_MAX_LIGHTS][2];       /* N.L [0] and N.H [1] of the lights */
+    struct quadratic normal[3];                      /* of the components */
+    struct quadratic square;                         /* |N|^2 */
+    bool bumped;                                     /* the material has a bump map, and the method draws it: */
+    struct quadratic turned[SCENE_MAX_LIGHTS][2][3]; /* L' [0] and H' [1] of the lights */
+    double relief[3];                                /* the map's normal at the pixel in hand */
 };
 
 /* Red, green and blue as they are, or with one channel their Rec. 601 luma. */
@@ -44,6 +47,10 @@ void shading_material(struct shading *shading, const struct decode_view *view, c
 
 void shading_setup(struct shading *shading, const struct method *method, const struct decode_vertex corner[3],
                    const double bend[3], double place[3][2]);
+
+/* The directions towards the light and half-way to the viewer, unit, at a point. */
+void shading_directions(const struct decode_view *view, const struct decode_light *light, const double point[3],
+                        double towards[2][3]);
 
 /* N.L [0] and N.H [1] under one light, its direction and the half vector unit at that very position. */
 void shading_dots(const struct shading *shading, unsigned light, const double position[3], const double normal[3],

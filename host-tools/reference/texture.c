@@ -13,12 +13,17 @@ static uint32_t texture_index(double at, unsigned log2, bool clamp)
     return (uint32_t)at & ((1u << log2) - 1);
 }
 
-static void texture_texel(const struct decode_texture *texture, double column, double row, double weight, double rgb[3])
+uint32_t texture_nearest(const struct decode_texture *texture, double column, double row)
 {
     const struct scene_texture *head = texture->head;
-    const uint32_t x = texture_index(column, head->log2_width, head->flags & TEXTURE_CLAMP_U);
-    const uint32_t y = texture_index(row, head->log2_height, head->flags & TEXTURE_CLAMP_V);
-    const uint32_t texel = texel_at(texture->scene, head, y << head->log2_width | x);
+    const uint32_t x = texture_index(floor(column), head->log2_width, head->flags & TEXTURE_CLAMP_U);
+    const uint32_t y = texture_index(floor(row), head->log2_height, head->flags & TEXTURE_CLAMP_V);
+    return texel_at(texture->scene, head, y << head->log2_width | x);
+}
+
+static void texture_texel(const struct decode_texture *texture, double column, double row, double weight, double rgb[3])
+{
+    const uint32_t texel = texture_nearest(texture, column, row);
     for (int c = 0; c < 3; c++)
         rgb[c] += weight * (texel >> (16 - 8 * c) & 0xff) / 255;
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "reference/triangle.h"
 
+#include "reference/bump.h"
 #include "reference/fog.h"
 #include "reference/texture.h"
 #include "scene/vec.h"
@@ -59,7 +60,8 @@ static void triangle_unproject(const struct triangle_corner p[3], const double s
             space[k] += screen[i] * (closeness ? p[i].closeness / closeness : 1) * p[i].place[k];
 }
 
-/* With the texture: always perspective-correct, whatever the method does. `space` are the pixel's coordinates there. */
+/* With texture and bump map: always perspective-correct, whatever the method does. `space` are the pixel's coordinates
+ * there. */
 static void triangle_textured(struct shading *shading, const struct decode_material *material, const double at[3],
                               const double space[3], unsigned channels, double colour[3])
 {
@@ -71,7 +73,12 @@ static void triangle_textured(struct shading *shading, const struct decode_mater
     const bool all = texture_multiplies_all(shading->method);
     for (unsigned c = 0; c < 3; c++)
         shading->texel[c] = all ? 1 : factor[c];
-    shading->method->pixel(shading, at, colour);
+    if (shading->bumped) {
+        bump_normal(&material->bump, uv[0], uv[1], shading->relief);
+        bump_pixel(shading, shading->method->bump, at, colour);
+    } else {
+        shading->method->pixel(shading, at, colour);
+    }
     for (unsigned c = 0; all && c < channels; c++)
         colour[c] *= factor[c];
 }
@@ -154,6 +161,9 @@ static void triangle_turn(struct triangle_corner p[3], struct decode_vertex shad
         p[i].place[2] = at;
         for (int k = 0; k < 3; k++)
             shaded[i].normal[k] = -shaded[i].normal[k];
+        for (int k = 0; k < 3; k++) /* with the whole frame: the slopes stay the map's */
+            shaded[i].tangent[k] = -shaded[i].tangent[k];
+        shaded[i].sign = -shaded[i].sign;
     }
 }
 
@@ -196,9 +206,11 @@ static struct triangle_corner triangle_cut(const struct triangle_corner *a, cons
         if (i < 2)
             v.vertex.uv[i] = a->vertex.uv[i] + t * (b->vertex.uv[i] - a->vertex.uv[i]);
         v.vertex.normal[i] = a->vertex.normal[i] + t * (b->vertex.normal[i] - a->vertex.normal[i]);
+        v.vertex.tangent[i] = a->vertex.tangent[i] + t * (b->vertex.tangent[i] - a->vertex.tangent[i]);
         v.place[i] = a->place[i] + t * (b->place[i] - a->place[i]);
     }
     v.vertex.position[2] = -near;
+    v.vertex.sign = a->vertex.sign;
     return v;
 }
 
@@ -217,6 +229,7 @@ static void triangle_part(struct triangle_target *target, const struct decode_ma
     }
     for (int i = 0; i < 3; i++) {
         vec_normalise(p[i].vertex.normal);
+        vec_normalise(p[i].vertex.tangent);
         corner[i] = p[i].vertex;
         for (int k = 0; k < 3; k++)
             p[i].place[k] = k == i;

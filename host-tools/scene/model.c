@@ -93,10 +93,9 @@ uint32_t model_add_vertex(struct model_mesh *mesh, const double position[3], con
 {
     mesh->vertices = model_grow(mesh->vertices, mesh->vertex_count, &mesh->vertex_room, sizeof *mesh->vertices);
     struct model_vertex *vertex = &mesh->vertices[mesh->vertex_count];
+    *vertex = (struct model_vertex){.uv = {u, v}};
     memcpy(vertex->position, position, sizeof vertex->position);
     memcpy(vertex->normal, normal, sizeof vertex->normal);
-    vertex->uv[0] = u;
-    vertex->uv[1] = v;
     return (uint32_t)mesh->vertex_count++;
 }
 
@@ -137,11 +136,14 @@ void model_free(struct model *model)
         free(model->meshes[i].vertices);
         free(model->meshes[i].triangles);
     }
-    for (size_t i = 0; i < model->material_count; i++)
+    for (size_t i = 0; i < model->material_count; i++) {
         free(model->materials[i].name);
+        free(model->materials[i].picture);
+    }
     for (size_t i = 0; i < model->texture_count; i++) {
         free(model->textures[i].name);
         free(model->textures[i].rgb);
+        free(model->textures[i].normals);
     }
     free(model->textures);
     free(model->meshes);

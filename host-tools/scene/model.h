@@ -17,6 +17,8 @@ struct model_vertex {
     double position[3];
     double normal[3]; /* need not be unit; zero when there is none */
     double uv[2];
+    double tangent[3]; /* along growing u; zero: none given */
+    double sign;       /* of the frame, tangents_make()'s */
 };
 
 struct model_triangle {
@@ -41,6 +43,7 @@ struct model_material {
     double diffuse[3], specular[3], ka, kd, ks, shininess;
     bool flat, two_sided;
     int texture, bump; /* -1: none */
+    char *picture;     /* the file of the texture that a model names, as it names it, until it has been read; or null */
 };
 
 /* Colours, as read or made; packing brings it to powers of two. */
@@ -49,7 +52,8 @@ struct model_texture {
     int format; /* enum scene_texture_format */
     bool bilinear, clamp[2];
     unsigned width, height;
-    uint8_t *rgb; /* top row first */
+    uint8_t *rgb;         /* top row first */
+    double (*normals)[3]; /* of TEXTURE_BUMP8 instead, unit */
 };
 
 struct model_fog {

@@ -20,7 +20,7 @@ static void read_materials(const struct node *materials, struct model *model, in
     {
         struct node node = node_member(materials, name);
         struct model_material *m = model_add_material(model, name);
-        node_object(&node, "diffuse specular ka kd ks shininess flat two_sided texture");
+        node_object(&node, "diffuse specular ka kd ks shininess flat two_sided texture bump");
         node_member_vector(&node, "diffuse", m->diffuse, 3, 0, 1);
         node_member_vector(&node, "specular", m->specular, 3, 0, 1);
         m->ka = node_member_number(&node, "ka", 0, 1, m->ka);
@@ -30,6 +30,7 @@ static void read_materials(const struct node *materials, struct model *model, in
         struct node flat = node_member(&node, "flat"), two_sided = node_member(&node, "two_sided");
         m->flat = node_bool(&flat, false);
         m->texture = reader_texture(&node, "texture", model, exit_code);
+        m->bump = reader_bump(&node, model);
         m->two_sided = node_bool(&two_sided, false);
     }
 }
@@ -155,7 +156,7 @@ int reader_load(const char *path, struct model *model)
     int exit_code = 1;
     *model = (struct model){0};
     if (node_open(&file, path, &root)) {
-        node_object(&root, "materials textures meshes objects lights camera ambient background fog duration");
+        node_object(&root, "materials textures bumps meshes objects lights camera ambient background fog duration");
         node_member_vector(&root, "ambient", model->ambient, 3, 0, 1);
         node_member_vector(&root, "background", model->background, 3, 0, 1);
         model->duration_ms = (uint32_t)lround(1000 * node_member_number(&root, "duration", 0, 1e6, 0));
@@ -163,10 +164,12 @@ int reader_load(const char *path, struct model *model)
         struct node lights = node_member(&root, "lights"), objects = node_member(&root, "objects");
         struct node camera = node_member(&root, "camera"), fog = node_member(&root, "fog");
         struct node textures = node_member(&root, "textures");
+        struct node bumps = node_member(&root, "bumps");
         read_fog(&fog, &model->fog);
         reader_camera(&camera, &model->camera);
         reader_lights(&lights, model);
         reader_textures(&textures, model, &exit_code);
+        reader_bumps(&bumps, model, &exit_code);
         read_materials(&materials, model, &exit_code);
         if (!file.failed)
             reader_meshes(&meshes, model, &exit_code);

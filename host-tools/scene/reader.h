@@ -35,4 +35,14 @@ int reader_material(const struct node *owner, const struct model *model);
 
 #define READER_MOST_LENGTH 16383.0 /* scene units: below 2^14 with room for rounding */
 
+/* The bump maps, after the textures; and the index of the one that a material names, -1 if absent. */
+void reader_bumps(const struct node *bumps, struct model *model, int *exit_code);
+int reader_bump(const struct node *material, const struct model *model);
+
+/* Two whole numbers, kept as they are where the member is absent. */
+void reader_pair(const struct node *node, const char *key, unsigned out[2], unsigned least, unsigned most);
+
+/* The member "wrap": "repeat" or "clamp", for both ways or in a list of two. */
+void reader_wrap(const struct node *node, struct model_texture *texture);
+
 #endif

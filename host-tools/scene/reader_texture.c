@@ -31,7 +31,7 @@ static int load(const struct node *node, const char *name, struct model *model, 
     return index;
 }
 
-static void read_numbers(const struct node *node, const char *key, unsigned out[2], unsigned least, unsigned most)
+void reader_pair(const struct node *node, const char *key, unsigned out[2], unsigned least, unsigned most)
 {
     struct node list = node_member(node, key);
     for (size_t i = 0; i < 2 && node_length(&list, 2, 2) == 2; i++) {
@@ -45,8 +45,8 @@ static void make(const struct node *node, struct model_texture *texture)
     unsigned size[2] = {64, 64}, cells[2] = {8, 8};
     double colour[2][3] = {{0.15, 0.15, 0.15}, {1, 1, 1}};
     const int pattern = node_member_choice(node, "pattern", PATTERNS, -1);
-    read_numbers(node, "size", size, 1, 1024);
-    read_numbers(node, "cells", cells, 1, 1024);
+    reader_pair(node, "size", size, 1, 1024);
+    reader_pair(node, "cells", cells, 1, 1024);
     struct node colours = node_member(node, "colours");
     for (size_t i = 0; i < 2 && node_length(&colours, 2, 2) == 2; i++) {
         struct node item = node_item(&colours, i);
@@ -56,8 +56,7 @@ static void make(const struct node *node, struct model_texture *texture)
         picture_make(texture, (enum picture_pattern)pattern, size, cells, colour);
 }
 
-/* "repeat" or "clamp", for both ways or in a list of two. */
-static void read_wrap(const struct node *node, struct model_texture *texture)
+void reader_wrap(const struct node *node, struct model_texture *texture)
 {
     struct node wrap = node_member(node, "wrap");
     for (size_t k = 0; k < 2; k++) {
@@ -91,7 +90,7 @@ static void read_texture(const struct node *node, const char *name, struct model
     }
     texture->bilinear = node_member_choice(node, "filter", "nearest bilinear", 1) == 1;
     texture->format = node_member_choice(node, "format", "rgb565 palette8", TEXTURE_RGB565);
-    read_wrap(node, texture);
+    reader_wrap(node, texture);
 }
 
 void reader_textures(const struct node *textures, struct model *model, int *exit_code)
@@ -115,7 +114,7 @@ int reader_texture(const struct node *material, const char *key, struct model *m
     if (!node.value || node.file->failed)
         return -1;
     const int index = model_find_texture(model, name);
-    if (index >= 0)
+    if (index >= 0 && model->textures[index].format != TEXTURE_BUMP8)
         return index;
     if (ending && !strcmp(ending, ".png"))
         return load(&node, name, model, exit_code);

@@ -67,6 +67,39 @@ $(BUILD)/$(1)/$(2).elf: $$(patsubst %.c,$(BUILD)/$(1)/%.o,$(3) $$(DEVICE_SRC) $(
 	$$(call say,LINK,$$@)
 	$$(Q)$$(ARM)gcc $$(CPU_$(1)) $$(ARM_LINK) -T $(5) -Wl,-Map=$$(@:.elf=.map) $$(filter %.o,$$^) -lgcc -o $$@
 endef
+# What effects cost a scene that has none (tests/device/plain.c): a program compiled for it; the same of all objects but those
+# of the effects; one that has everything; and that with two scenes, one of which has a light more that reaches nothing.
+PLAIN_CPUS := m3 m0plus
+BEHIND_SCENES := plain-dome plain-dome-behind
+$(foreach s,plain-torus288 $(BEHIND_SCENES),$(eval $(call scene_rule,$(s))))
+plain_c = tests/device/plain.c $(SCENE_DIR)/$(1)_list.c $(2:%=$(SCENE_DIR)/%.c) $(DEVICE_SRC) $(MPS2_HAL)
+# $(1) CPU, $(2) program, $(3) its sources, $(4) the renderer's objects
+define plain_image
+$(BUILD)/$(1)/$(2).elf: $$(patsubst %.c,$(BUILD)/$(1)/%.o,$(3)) $(4) $(MPS2_LINK) boards/cortexm.ld
+	$$(call say,LINK,$$@)
+	$$(Q)$$(ARM)gcc $$(CPU_$(1)) $$(ARM_LINK) -T $(MPS2_LINK) -Wl,-Map=$$(@:.elf=.map) $$(filter %.o,$$^) -lgcc -o $$@
+endef
+define plain_rules
+USES_$(1)-plain := $(BUILD)/$(1)-plain/uses.h
+CPU_$(1)-plain := $(CPU_$(1))
+$(call cpu_rules,$(1)-plain)
+$(BUILD)/$(1)-plain/uses.h: tests/scenes/plain-torus288.json $(PACK)
+	@mkdir -p $$(@D)
+	$$(Q)$(PACK) pack --uses rgb565,grey8 $$< >$$@.new && { cmp -s $$@.new $$@ && rm $$@.new || mv $$@.new $$@; }
+$(call plain_image,$(1),plain,$(call plain_c,plain,plain-torus288),$$(ARM_OBJ_$(1)-plain))
+$(call plain_image,$(1),plain-without,$(call plain_c,plain,plain-torus288),$$(filter-out $$(EFFECT_SRC:%.c=$(BUILD)/$(1)-plain/%.o),$$(ARM_OBJ_$(1)-plain)))
+$(call plain_image,$(1),plain-all,$(call plain_c,plain,plain-torus288),$$(ARM_OBJ_$(1)))
+$(call plain_image,$(1),plain-behind,$(call plain_c,behind,$(BEHIND_SCENES)),$$(ARM_OBJ_$(1)))
+endef
+$(SCENE_DIR)/plain_list.c: tests/tools/scene_list.sh tests/tools/arm.mk
+	@mkdir -p $(@D)
+	$(Q)tests/tools/scene_list.sh plain-torus288 >$@
+$(SCENE_DIR)/behind_list.c: tests/tools/scene_list.sh tests/tools/arm.mk
+	@mkdir -p $(@D)
+	$(Q)tests/tools/scene_list.sh $(BEHIND_SCENES) >$@
+$(foreach c,$(PLAIN_CPUS),$(eval $(call plain_rules,$(c))))
+PLAIN_ELF := $(foreach c,$(PLAIN_CPUS),$(foreach p,plain plain-without plain-all plain-behind,$(BUILD)/$(c)/$(p).elf))
+
 $(foreach c,$(CPUS),$(eval $(call image_rule,$(c),golden,$(GOLDEN_C),$(MPS2_HAL),$(MPS2_LINK))))
 $(foreach c,$(CPUS),$(eval $(call image_rule,$(c),bench,$(BENCH_C),$(MPS2_HAL),$(MPS2_LINK))))
 $(foreach c,$(REPORT_CPUS),$(eval $(call image_rule,$(c),report,$(REPORT_C),$(MPS2_HAL),$(MPS2_LINK))))

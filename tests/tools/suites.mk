@@ -15,6 +15,24 @@ suite-unit: $(UNIT_BIN)
 	@status=0; for program in $^; do echo "# $$program"; $$program || { code=$$?; status=1; \
 		[ $$code -lt 126 ] || echo "FAIL $$program: status $$code"; }; done; exit $$status
 
+# The renderer compiled for some scenes and one format: what tests/unit/test_uses.c is linked with.
+TEST_USES := USES_SPECULAR|USES_ORTHOGRAPHIC|USES_GREY8
+TEST_USES_SCENES := torus288 sphere168 demo teapot896 materials
+TEST_USES_C := $(SCENE_DIR)/uses_list.c $(TEST_USES_SCENES:%=$(SCENE_DIR)/%.c)
+TEST_USES_OBJ := $(CORE_SRC:%.c=$(BUILD)/uses/%.o)
+$(TEST_USES_OBJ): $(BUILD)/uses/%.o: %.c
+	$(call say,CC,$<)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CORE_FLAGS) $(OPT) -g $(CFLAGS) $(CORE_CFLAGS) '-DGLINT_USES=($(TEST_USES))' -MMD -MP -c $< -o $@
+-include $(TEST_USES_OBJ:.o=.d)
+$(SCENE_DIR)/uses_list.c: tests/tools/scene_list.sh tests/tools/suites.mk
+	@mkdir -p $(@D)
+	$(Q)tests/tools/scene_list.sh $(TEST_USES_SCENES) >$@
+$(BUILD)/tests/unit/test_uses: tests/unit/test_uses.c $(TEST_USES_C) $(TEST_USES_OBJ)
+	$(call say,TEST,$<)
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(HOST_FLAGS) $(OPT) -g $(CFLAGS) $(LDFLAGS) '-DGLINT_USES=($(TEST_USES))' -MMD -MP -MF $@.d $^ $(CMOCKA_LIBS) -o $@
+
 suite-exhaustive: $(EXHAUSTIVE_BIN)
 	@status=0; for program in $^; do \
 		if $$program; then echo "ok $$program"; else echo "FAIL $$program"; status=1; fi; done; exit $$status
@@ -38,6 +56,14 @@ suite-core: $(BENCH_ELF) $(SIZE_ELF)
 	tests/tools/check_core.sh $(CPUS) -- $(CORE_SRC) || status=1; \
 	for cpu in $(CPUS); do $(call stack_tool,$$cpu) --limit 1024 || status=1; done; \
 	$(MAKE) suite-size || status=1; exit $$status
+
+# Scenes, and parts of the random ones, side by side.
+BUDGET_BIN := $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/budget/*.c))
+BUDGET_SCENES := $(wildcard tests/scenes/*.json tests/golden/*.json)
+BUDGET_RANDOM := 0 5000 10000 15000
+suite-budget: $(BUDGET_BIN)
+	@status=0; printf '%s\n' $(BUDGET_SCENES) | xargs -P "$$(nproc)" -n 1 $(BUILD)/tests/budget/holds || status=1; \
+	printf '%s 5000\n' $(BUDGET_RANDOM) | xargs -P "$$(nproc)" -n 2 $(BUILD)/tests/budget/random || status=1; exit $$status
 
 suite-golden: $(SCENE_C)
 	@status=0; for flavour in $(MATRIX); do \
@@ -72,11 +98,13 @@ $(BUILD)/bench/device.csv: $(BENCH_ELF)
 	@rm -f $@.part; $(foreach c,$(CPUS),$(call QEMU,$(c)) -icount shift=0 -kernel $(BUILD)/$(c)/bench.elf | \
 		sed 's/^[^#]/$(c),&/; s/^#/# $(c):/' >>$@.part;) mv $@.part $@
 
-suite-bench: $(BUILD)/bench/device.csv
-	@tests/tools/bench_limits.sh $<
+plain = tests/tools/plain.sh $(1) "$(call QEMU,m3)" $(PLAIN_CPUS)
+suite-bench: $(BUILD)/bench/device.csv $(PLAIN_ELF)
+	@status=0; tests/tools/bench_limits.sh $< || status=1; $(call plain,check) || status=1; exit $$status
 
-bench-table: $(BUILD)/bench/device.csv $(BUILD)/bench/bench
+bench-table: $(BUILD)/bench/device.csv $(BUILD)/bench/bench $(PLAIN_ELF)
 	@tests/tools/bench.sh $< $(BUILD)/bench/bench
+	@echo; $(call plain,table)
 
 # What the report's program counts: $(1) the columns, $(2) its argument, $(3) the file
 define report_rule
@@ -90,8 +118,9 @@ $(BUILD)/report/$(3).csv: $(REPORT_CPUS:%=$(BUILD)/report/%-$(2).csv)
 	$$(Q){ echo $(subst |,$(comma),$(1)); cat $$^; } >$$@
 endef
 comma := ,
-$(eval $(call report_rule,cpu|scene|method|width|height|format|instructions,grey8,costs))
+$(eval $(call report_rule,cpu|scene|method|width|height|format|instructions|picture,grey8,costs))
 $(eval $(call report_rule,cpu|scene|power|exponent|instructions,power,powers))
+$(eval $(call report_rule,cpu|scene|budget_q8|instructions,budget,budgets))
 
 $(BUILD)/report/flash.csv: $(REPORT_CPUS:%=$(BUILD)/%/report.elf) tests/tools/flash.sh
 	@mkdir -p $(@D)
@@ -102,10 +131,12 @@ REPORT_IDEAL := $(wildcard $(REPORT_JSON:.json=-ideal.json))
 STREAM_JSON := $(STREAM_SCENES:%=tests/scenes/%.json)
 # With the boards' section once `make bench-boards` has measured.
 REPORT_BOARDS := $(wildcard $(BUILD)/bench/boards.csv)
-$(BUILD)/report/index.html: $(GLINT) $(REPORT_BOARDS) $(BUILD)/report/costs.csv $(BUILD)/report/flash.csv $(BUILD)/report/powers.csv $(BUILD)/bench/stream.csv \
-		$(REPORT_JSON) $(REPORT_IDEAL) $(STREAM_JSON)
+$(BUILD)/report/index.html: $(GLINT) $(REPORT_BOARDS) $(BUILD)/report/costs.csv $(BUILD)/report/flash.csv $(BUILD)/report/powers.csv $(BUILD)/report/budgets.csv \
+		$(BUILD)/report/choices.csv $(BUILD)/bench/stream.csv \
+		$(REPORT_JSON) $(REPORT_IDEAL) $(STREAM_JSON) $(EFFECT_JSON)
 	$(Q)$(GLINT) report -o $(@D) --costs $(@D)/costs.csv --flash $(@D)/flash.csv --powers $(@D)/powers.csv \
-		--packing $(BUILD)/bench/stream.csv $(STREAM_JSON:%=--stream %) $(REPORT_BOARDS:%=--boards %) $(REPORT_JSON)
+		--budgets $(@D)/budgets.csv --choices $(@D)/choices.csv \
+		--packing $(BUILD)/bench/stream.csv $(EFFECT_JSON:%=--effect %) $(STREAM_JSON:%=--stream %) $(REPORT_BOARDS:%=--boards %) $(REPORT_JSON)
 
 report-page: $(BUILD)/report/index.html
 	@echo "$<"
@@ -152,6 +183,6 @@ lint-run:
 	clang-tidy --quiet --warnings-as-errors='*' $(CORE_SRC) $(HOST_SRC) -- -std=c11 -D_XOPEN_SOURCE=700 $(INCLUDE) \
 		$(PACKAGE_FLAGS) $(VIEW_FLAGS) || status=1; exit $$status
 
-.PHONY: suite-unit suite-exhaustive suite-cli suite-models suite-core suite-golden suite-device suite-docs suite-sanitize \
+.PHONY: suite-unit suite-budget suite-exhaustive suite-cli suite-models suite-core suite-golden suite-device suite-docs suite-sanitize \
 	suite-sanitized suite-bench bench-table bench-setup-table bench-stream-table report-page profile-run size-table stack-table golden-update lint-run \
 	always
