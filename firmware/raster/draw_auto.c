@@ -43,13 +43,43 @@ static const struct glint_method *const rungs[PLAN_RUNGS] = {
     [PLAN_SIX] = &six,   [PLAN_DUFF] = &duff,         [PLAN_PHONG] = &glint_phong_perspective,
 };
 
+static void plan_surface(struct raster *r)
+{
+    surface_plan(&r->surface, &r->palette, r->budget);
+    r->plan_budget = r->surface.plan.budget;
+    r->plan_table = r->surface_table;
+    r->table_off = table_error(r);
+}
+
+/* What tables add to a plan's error: beyond the allowance for roundings it is the budget's. */
+static inline uint32_t with(const struct raster *r, uint32_t error, uint32_t off)
+{
+    return error + (off > r->surface.plan.spare ? off - r->surface.plan.spare : 0);
+}
+
+/* Takes the colour or highlight table where the budget has room for what it is off by, and Duff's lengths. */
+static void choose_tables(struct raster *r)
+{
+    struct shade_plan *plan = &r->input.plan;
+    const uint32_t budget = r->surface.plan.budget, lengths = plan->rung == PLAN_DUFF ? r->surface.plan.lengths : 0;
+    uint32_t error = with(r, plan->error, r->table_off + lengths);
+    r->surface_table = r->plan_table;
+    if (error > budget) {
+        r->surface_table = 0;
+        error = with(r, plan->error, lengths);
+        if (error > budget && lengths) {
+            plan->rung = PLAN_PHONG;
+            error = 0;
+        }
+    }
+    plan->error = (uint16_t)error;
+}
+
 static const struct glint_method *choose_planned(struct raster *r)
 {
     struct shade_input *in = &r->input;
-    if (!r->surface.plan.power) {
-        surface_plan(&r->surface, &r->palette, r->budget);
-        r->plan_budget = r->surface.plan.budget;
-    }
+    if (!r->surface.plan.power)
+        plan_surface(r);
     if (USES(USES_FOG))
         r->surface.plan.budget = fogged_budget(r);
     if (object_local(in->object)) { /* corner values say nothing of what lies between: each place has its vectors */
@@ -60,6 +90,8 @@ static const struct glint_method *choose_planned(struct raster *r)
                                                in->divides ? plan_shift(in->place) : 0,
                                                in->no_plan};
         plan_triangle(&in->plan, &r->surface.plan, &triangle);
+        if (in->plan.rung >= PLAN_LINEAR && in->plan.rung < PLAN_PHONG && (r->plan_table || r->surface.plan.lengths))
+            choose_tables(r);
     }
     return in->plan.rung == PLAN_PHONG && !in->divides ? &glint_phong : rungs[in->plan.rung];
 }

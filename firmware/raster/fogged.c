@@ -29,14 +29,15 @@ unsigned fogged_plan(struct raster *r)
     struct shade_input *in = &r->input;
     int32_t depth[3];
     find_depths(in, depth);
-    /* A colour table's pixels are not those of a run to the last bit: without the plan it keeps what it draws. */
-    fog_choose(&r->fog, depth, r->fog_allowed, in->no_plan && !in->tabled, plan);
+    /* What goes straight into the band is not what runs make of it to the last bit: without the plan it stays that. */
+    fog_choose(&r->fog, depth, r->fog_allowed, in->no_plan && !r->surface_table && !r->fold, plan);
     if (plan->kind == FOGGED_WHOLLY) {
         r->effects = 0;
         in->plan = (struct shade_plan){0};
     } else if (plan->kind != FOGGED_NOT) {
         r->effects |= USES_FOG;
     }
+    r->surface.fold = r->effects ? 0 : r->fold; /* runs have N.L itself */
     return plan->kind;
 }
 

@@ -202,6 +202,14 @@ static void square_channel(struct shade_setup *setup, const struct shade_input *
     dots_quadratic(setup, value, bulge, out);
 }
 
+/* Of the map; the texture takes the same. */
+static void find_coordinates(struct shade_setup *setup, const struct shade_input *in)
+{
+    struct uv_corners uv;
+    uv_corners(&uv, in);
+    uv_setup(setup, &uv, in->texture);
+}
+
 /* Linear, or quadratic through middles of a kind: templates. */
 static inline __attribute__((always_inline)) void setup_lights(struct shade_setup *setup, const struct shade_input *in,
                                                                int quadratic, enum bump_middle middle)
@@ -209,7 +217,7 @@ static inline __attribute__((always_inline)) void setup_lights(struct shade_setu
     struct corners corners;
     const struct surface *s = in->surface;
     find_corners(in, &corners);
-    uv_setup(setup, in, in->texture);
+    find_coordinates(setup, in);
     if (quadratic)
         plane_setup_quadratic(&setup->plane);
     setup->quadratic = (uint8_t)quadratic;
@@ -264,7 +272,7 @@ void shade_bump_normalised(struct shade_setup *setup, const struct shade_input *
     const struct surface *s = in->surface;
     const int count = surface_highlights(s) ? 2 : 1;
     find_corners(in, &corners);
-    uv_setup(setup, in, in->texture);
+    find_coordinates(setup, in);
     plane_setup_quadratic(&setup->plane);
     for (unsigned i = 0; i < surface_lights(s); i++) {
         struct samples samples;
