@@ -207,7 +207,7 @@ static void find_coordinates(struct shade_setup *setup, const struct shade_input
 {
     struct uv_corners uv;
     uv_corners(&uv, in);
-    uv_setup(setup, &uv, in->texture);
+    uv_setup_corners(setup, &uv, in->texture);
 }
 
 /* Linear, or quadratic through middles of a kind: templates. */
