@@ -44,7 +44,7 @@ unsigned fogged_plan(struct raster *r)
 /* Halvings by which the fog takes from what is off in a triangle's own colour. */
 static unsigned faded(const struct fog_plan *plan)
 {
-    return plan->shown ? fx_clz(plan->shown) - 15 : 16; /* shown <= 2^16 */
+    return plan->shown > 1 ? fx_clz(plan->shown - 1) - 16 : 16; /* shown <= 2^16: the next power of 2 above it */
 }
 
 uint16_t fogged_budget(const struct raster *r)

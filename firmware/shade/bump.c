@@ -190,6 +190,24 @@ static int32_t square_bulges(const int16_t (*corner)[3], int32_t bulge[3])
     return most;
 }
 
+void bump_bends(const struct shade_input *in, uint16_t bend[SCENE_MAX_LIGHTS][2][3])
+{
+    struct corners corners;
+    find_corners(in, &corners);
+    for (unsigned i = 0; i < surface_lights(in->surface); i++) {
+        struct samples samples;
+        int32_t difference[3]; /* 4 k */
+        sample(in, &corners, i, 0, BUMP_AVERAGE, &samples);
+        for (int which = 0; which < 2; which++) {
+            square_bulges((const int16_t(*)[3])samples.corner[which], difference);
+            for (int k = 0; k < 3; k++) { /* a rounding of the corners more */
+                const uint32_t rounded = ((uint32_t)difference[k] >> 14) + 4;
+                bend[i][which][k] = (uint16_t)(rounded < 65535 ? rounded : 65535);
+            }
+        }
+    }
+}
+
 /* 1 less the square: for a table of reciprocal lengths. */
 static void square_channel(struct shade_setup *setup, const struct shade_input *in, int32_t bulge[3],
                            struct channel *out)

@@ -7,9 +7,9 @@ CORTEXM_HAL := $(addprefix hal/cortexm/,start.c fault.c stack.c mem.c divide.c)
 # Compiled for size on a board: what a picture, an object or a button calls a few times. The rest is for speed.
 COLD_SRC := $(wildcard firmware/app/*.c firmware/scene/*.c firmware/stream/*.c hal/lm3s/*.c hal/rp2040/*.c boards/*.c boards/*/*.c) \
 	$(addprefix hal/cortexm/,start.c fault.c stack.c uart.c) $(addprefix hal/panels/,bars.c panel.c wire.c) \
-	firmware/memory.c $(filter-out %/plan.c,$(wildcard firmware/plan/*.c)) $(addprefix firmware/fixed/,divide.c power.c) \
+	firmware/memory.c $(filter-out %/plan.c %/fog.c,$(wildcard firmware/plan/*.c)) $(addprefix firmware/fixed/,divide.c power.c) \
 	$(addprefix firmware/geometry/,clip.c light.c project.c rotation.c transform.c) \
-	$(addprefix firmware/shade/,color6.c dots.c normal_quadratic.c part.c perspective.c piece.c plane_wide.c uv.c) \
+	$(addprefix firmware/shade/,bump.c color6.c dots.c normal_quadratic.c part.c perspective.c piece.c plane_wide.c uv.c) \
 	$(addprefix firmware/raster/,draw_highlight.c draw_subdivide.c draw_overveld_scan.c fine.c parts.c split.c table.c)
 # What is of effects alone: a program for scenes without them needs none of these.
 EFFECT_SRC := $(foreach e,texture texel uv split bump fog sided effects power,$(wildcard firmware/plan/*$(e)*.c firmware/shade/*$(e)*.c firmware/raster/*$(e)*.c)) \
