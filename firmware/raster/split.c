@@ -144,8 +144,8 @@ int split_begin(struct raster *r, const struct uv_corners *uv)
 static __attribute__((noinline)) void find_piece(struct piece *piece, unsigned depth, unsigned way)
 {
     *piece = (struct piece){{{PART_ONE, 0}, {0, PART_ONE}, {0, 0}}};
-    while (depth--)
-        *piece = part_of(piece, way >> 2 * depth & 3);
+    for (; depth > 0; depth--)
+        *piece = part_of(piece, way >> (2 * depth - 2) & 3);
 }
 
 uint32_t split_draw(struct raster *r, struct edges *e, runs_shade *shade)
