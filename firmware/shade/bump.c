@@ -221,14 +221,6 @@ static void square_channel(struct shade_setup *setup, const struct shade_input *
     dots_quadratic(setup, value, bulge, out);
 }
 
-/* Of the map; the texture takes the same. */
-static void find_coordinates(struct shade_setup *setup, const struct shade_input *in)
-{
-    struct uv_corners uv;
-    uv_corners(&uv, in);
-    uv_setup(setup, &uv, in->texture);
-}
-
 /* Linear, or quadratic through middles of a kind: templates. */
 static inline __attribute__((always_inline)) void setup_lights(struct shade_setup *setup, const struct shade_input *in,
                                                                int quadratic, enum bump_middle middle)
@@ -236,7 +228,7 @@ static inline __attribute__((always_inline)) void setup_lights(struct shade_setu
     struct corners corners;
     const struct surface *s = in->surface;
     find_corners(in, &corners);
-    find_coordinates(setup, in);
+    uv_setup(setup, in, in->texture);
     if (quadratic)
         plane_setup_quadratic(&setup->plane);
     setup->quadratic = (uint8_t)quadratic;
@@ -291,7 +283,7 @@ void shade_bump_normalised(struct shade_setup *setup, const struct shade_input *
     const struct surface *s = in->surface;
     const int count = surface_highlights(s) ? 2 : 1;
     find_corners(in, &corners);
-    find_coordinates(setup, in);
+    uv_setup(setup, in, in->texture);
     plane_setup_quadratic(&setup->plane);
     for (unsigned i = 0; i < surface_lights(s); i++) {
         struct samples samples;
