@@ -11,7 +11,8 @@
 void bump_normal(const struct decode_texture *map, double u, double v, double normal[3])
 {
     const struct scene_texture *head = map->head;
-    const uint32_t texel = texture_nearest(map, ldexp(u, head->log2_width), ldexp(v, head->log2_height));
+    const uint32_t texel =
+        texture_nearest(map, ldexp(u, head->log2_width) + map->nudge[0], ldexp(v, head->log2_height) + map->nudge[1]);
     const uint16_t *rises = scene_at(map->scene, head->palette);
     const int x = (int)(texel >> 8 & 0xff) - 128, y = (int)(texel & 0xff) - 128;
     normal[0] = ldexp(x * head->steepness, -21);
