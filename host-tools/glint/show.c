@@ -13,13 +13,14 @@ const struct show_way show_ways[PLAN_RUNGS] = {
     [PLAN_PHONG] = {GLINT_PHONG, {205, 60, 70}},
 };
 
-/* Neighbours in a mesh follow each other. Greys take the green, which they are mostly made of. */
+/* Neighbours differ in one corner. Greys take the green, which they are mostly made of. */
 static void show_paint(struct shade_setup *setup, const struct shade_input *in)
 {
     static const uint8_t lights[] = {255, 225, 240, 210};
     struct raster *r = (struct raster *)((char *)setup - offsetof(struct raster, setup));
+    const uint16_t *corner = in->triangle->corner;
     const uint8_t *rgb = show_ways[in->plan.rung].rgb;
-    const uint32_t light = lights[(uintptr_t)in->triangle / sizeof *in->triangle % sizeof lights];
+    const uint32_t light = lights[(corner[0] + corner[1] + corner[2]) % sizeof lights];
     for (unsigned c = 0; c < 3; c++)
         setup->flat[c] = (rgb[r->surface.channels == 1 ? 1 : c] * light / 255) << 15; /* Q15 */
     r->effects = 0;
