@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The methods between which glint_auto chooses, a triangle each. */
+#include "raster/bump.h"
 #include "raster/dots.h"
 #include "raster/fogged.h"
 #include "shade/colour.h"
@@ -75,6 +76,19 @@ static void choose_tables(struct raster *r)
     plan->error = (uint16_t)error;
 }
 
+/* Bump maps use grey's table alone, and lengths of their own with it. */
+static const struct glint_method *choose_bump(struct raster *r)
+{
+    const struct glint_method *method = bump_planned(r);
+    struct shade_plan *plan = &r->input.plan;
+    const uint32_t lengths = plan->rung == PLAN_PHONG ? r->surface.plan.lengths : 0;
+    const uint32_t error = with(r, plan->error, r->table_off + lengths);
+    r->input.grey_table = r->plan_table && raster_is(r, GLINT_GREY8) && error <= r->surface.plan.budget;
+    r->surface_table = r->plan_table;
+    plan->error = r->input.grey_table ? (uint16_t)error : plan->error;
+    return method;
+}
+
 static const struct glint_method *choose_planned(struct raster *r)
 {
     struct shade_input *in = &r->input;
@@ -82,6 +96,8 @@ static const struct glint_method *choose_planned(struct raster *r)
         plan_surface(r);
     if (USES(USES_FOG))
         r->surface.plan.budget = fogged_budget(r);
+    if (surface_bumps(&r->surface))
+        return choose_bump(r);
     if (object_local(in->object)) { /* corner values say nothing of what lies between: each place has its vectors */
         in->plan = (struct shade_plan){.rung = PLAN_PHONG};
     } else {
