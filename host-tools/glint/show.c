@@ -6,11 +6,17 @@
 
 #include <stddef.h>
 
-const struct show_way show_ways[PLAN_RUNGS] = {
-    [PLAN_DARK] = {GLINT_DARK, {70, 70, 78}},         [PLAN_CONSTANT] = {GLINT_CONSTANT, {58, 110, 165}},
-    [PLAN_GOURAUD] = {GLINT_GOURAUD, {72, 180, 200}}, [PLAN_LINEAR] = {GLINT_LINEAR, {90, 180, 90}},
-    [PLAN_SIX] = {GLINT_SIX, {232, 200, 70}},         [PLAN_DUFF] = {GLINT_DUFF, {226, 128, 50}},
-    [PLAN_PHONG] = {GLINT_PHONG, {205, 60, 70}},
+const struct show_way show_ways[SHOW_WAYS] = {
+    {GLINT_DARK, {70, 70, 78}},
+    {GLINT_CONSTANT, {58, 110, 165}},
+    {GLINT_GOURAUD, {72, 180, 200}},
+    {GLINT_LINEAR, {90, 180, 90}},
+    {GLINT_SIX, {232, 200, 70}},
+    {GLINT_DUFF, {226, 128, 50}},
+    {GLINT_PHONG, {205, 60, 70}},
+    {GLINT_BUMP_LINEAR, {150, 130, 215}},
+    {GLINT_BUMP_QUADRATIC, {165, 95, 200}},
+    {GLINT_BUMP_NORMALISED, {215, 95, 170}},
 };
 
 /* Neighbours differ in one corner. Greys take the green, which they are mostly made of. */
@@ -26,9 +32,14 @@ static void show_paint(struct shade_setup *setup, const struct shade_input *in)
     r->effects = 0;
 }
 
+/* Nothing reads the plan's rung behind this: it is the place in show_ways[] from here on. */
 static const struct glint_method *show_choose(struct raster *r)
 {
-    glint_auto.choose(r);
+    const struct glint_method *method = glint_auto.choose(r);
+    uint8_t way = 0;
+    while (way < SHOW_WAYS - 1 && show_ways[way].id != method->id)
+        way++;
+    r->input.plan.rung = way;
     return &show_plan;
 }
 
