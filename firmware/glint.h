@@ -52,8 +52,8 @@ extern const struct glint_method glint_x_perspective, glint_six_perspective, gli
     glint_biquadratic_perspective;
 
 /* Bump maps: light and half-way direction turned into the surface's moving frame at the corners, interpolated, and
- * multiplied with the map's normals (Hast et al. 2002). Materials without a map are drawn by x, six and duff; the other
- * methods leave maps out, but for auto. */
+ * multiplied with the map's normals (Hast et al. 2002). Materials without a map are drawn by x, six and
+ * duff (or phong, near and in perspective); the other methods leave maps out, but for auto. */
 extern const struct glint_method glint_bump_linear;     /* the directions as they are */
 extern const struct glint_method glint_bump_quadratic;  /* through six samples, middles the ends' normalised average */
 extern const struct glint_method glint_bump_normalised; /* made unit at each pixel; correct in perspective */
