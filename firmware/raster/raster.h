@@ -66,10 +66,14 @@ struct raster {
     uint16_t fog_colour[3]; /* Q8 steps */
     uint16_t fog_allowed;   /* error that may be added, Q16 of full intensity */
     uint8_t fog_planned;    /* by auto: it is part of input.plan */
+    uint16_t plan_budget;   /* what surface.plan has without fog */
     struct surface surface;
     uint16_t budget;                   /* of auto, Q8 of 1/255 */
     uint16_t surface_material;         /* which one `surface` holds; 0xffff: none */
     const struct table *surface_table; /* made for `surface`; null: none, or not looked for yet */
+    uint16_t fold;                     /* the surface's, of triangles without fog */
+    const struct table *plan_table;    /* auto: the surface's, which a triangle takes where the budget has room for */
+    uint16_t table_off;                /* what it is off by, Q8 of 1/255 */
     void *table;                       /* one for each of the first r->tables materials, table_bytes() each */
     /* the triangle in hand */
     struct shade_input input;
@@ -202,10 +206,6 @@ void table_clear(struct raster *r);
 /* What r->surface_table costs in accuracy at most, Q8 of 1/255, roundings of the output apart (see table.c); 0 if null.
  */
 uint16_t table_error(const struct raster *r);
-
-/* What a plan may spend of a budget beside the table, Q8 of 1/255: its error less half a step of the output is taken
- * off. Where that were more than half of the budget, the surface has no table from now on. */
-uint16_t table_budget(struct raster *r, uint16_t budget);
 
 /* Sets r->surface_table to the table of the surface in hand, made anew if it was another's; null if it has none: GREY4,
  * dither, no light, outside RGB565 another form of the power, or a material beyond the tables. Table i is material

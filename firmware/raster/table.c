@@ -131,18 +131,3 @@ uint16_t table_error(const struct raster *r)
     }
     return (uint16_t)(most < 65535 ? most : 65535);
 }
-
-uint16_t table_budget(struct raster *r, uint16_t budget)
-{
-    uint32_t least = 255; /* of the channels' tops: half of their steps is what the output's rounding takes anyway */
-    for (unsigned c = 0; c < raster_channels(r); c++)
-        least = r->palette.top[c] < least ? r->palette.top[c] : least;
-    const uint32_t error = table_error(r), rounding = (255u << 7) / least;
-    if (error <= rounding)
-        return budget;
-    if (2 * (error - rounding) <= budget)
-        return (uint16_t)(budget - (error - rounding));
-    r->surface_table = 0;
-    r->input.tabled = 0;
-    return budget;
-}

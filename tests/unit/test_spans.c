@@ -190,24 +190,6 @@ static void a_table_is_within_its_error(void **state)
     }
 }
 
-static void a_budget_pays_for_its_table_or_has_none(void **state)
-{
-    static struct tabled t;
-    (void)state;
-    random_seed(6);
-    tabled_make(&t, GLINT_GREY8, 20);
-    struct surface *s = &t.raster.surface;
-    s->light[0].specular[0] = 19000; /* .29: within the rounding */
-    assert_in_range(table_error(&t.raster), 80, 128);
-    assert_int_equal(table_budget(&t.raster, 256), 256);
-    s->light[0].specular[0] = 65280;
-    const unsigned over = table_error(&t.raster) - 128u;
-    assert_int_equal(table_budget(&t.raster, 512), 512 - over);
-    assert_non_null(t.raster.surface_table);
-    assert_int_equal(table_budget(&t.raster, (uint16_t)(2 * over - 1)), 2 * over - 1);
-    assert_null(t.raster.surface_table);
-}
-
 static void without_a_table_there_is_no_error(void **state)
 {
     static struct tabled t;
@@ -225,7 +207,6 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_triangle_drawn_straight_is_the_one_drawn_by_runs),
         cmocka_unit_test(a_table_is_within_its_error),
-        cmocka_unit_test(a_budget_pays_for_its_table_or_has_none),
         cmocka_unit_test(without_a_table_there_is_no_error),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
