@@ -66,7 +66,7 @@ view: deps-view ## Build the viewer of streams, build/glint-view, with USB and a
 	@echo "$(VIEW): shows the device on USB, file:PATH or what comes by a pipe; --help has all, in its window h the keys"
 
 test: deps-test ## Run every test; the last line counts them
-	$(Q)tests/tools/run.sh unit fuzz cli models core golden device rp2040 linux docs sanitize bench
+	$(Q)tests/tools/run.sh unit fuzz cli models budget core golden device rp2040 linux docs sanitize bench
 
 test-unit: deps-test ## Unit tests
 	$(Q)tests/tools/run.sh unit
@@ -79,6 +79,9 @@ test-cli: deps-test ## The command line tool against good and bad input
 
 test-models: deps-test ## Real models by every method against the double-precision renderer: a table of PSNR
 	$(Q)tests/tools/run.sh models
+
+test-budget: deps-test ## Whether every pixel by auto stays within its budget of the truth: scenes from 60 sides and at random, the bounds themselves
+	$(Q)tests/tools/run.sh budget
 
 test-core: deps-test ## What the renderer may link, include, keep and stack, on every CPU
 	$(Q)tests/tools/run.sh core
@@ -125,7 +128,7 @@ bench-stream: deps-test ## Bytes a picture of a stream, and instructions to pack
 figures: deps-test ## Write the figures of quality and cost in the README files anew
 	$(Q)$(MAKE) --no-print-directory bench-table bench-boards-table report-page
 	$(Q)tests/tools/figures.sh $(GLINT) $(BUILD)/bench/bench.csv $(BUILD)/report/report.csv $(BUILD)/report/stream.csv \
-		$(BUILD)/bench/stream.csv README.md
+		$(BUILD)/bench/stream.csv $(BUILD)/report/sweep.csv README.md
 	$(Q)tests/tools/figures.sh stream $(BUILD)/report/stream.csv $(BUILD)/bench/stream.csv | tests/tools/paste.sh host-tools/README.md
 	$(Q){ $(MAKE) -s --no-print-directory bench-boards-table; echo; } | tests/tools/paste.sh boards/README.md
 	$(Q){ echo; $(MAKE) -s --no-print-directory bench-setup-table | sed "s/^./    &/"; echo; } | tests/tools/paste.sh tests/setups/README.md
@@ -222,6 +225,7 @@ include tests/tools/arm.mk
 include tests/tools/boards.mk
 include boards/linux/linux.mk
 include tests/tools/suites.mk
+include tests/tools/choices.mk
 include tests/tools/rp2040.mk
 include tests/tools/linux.mk
 include tests/tools/faults.mk
@@ -229,7 +233,7 @@ include tests/tools/fuzz.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
-GOALS := all demo view test test-unit test-fuzz fuzz test-cli test-models test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive \
+GOALS := all demo view test test-unit test-fuzz fuzz test-cli test-models test-budget test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive \
 	bench bench-boards bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-view deps-test deps-linux image run flash install clean help
 .PHONY: $(GOALS) tool
 # Several are made one after another, also with -j: each calls a make of its own, in the same folder.

@@ -50,7 +50,7 @@ static void begin_raster(struct raster *r, const struct glint_frame *f)
         fogged_begin(r, scene, f->config.method->choose && !f->config.method->object);
     r->input.surface = &r->surface;
     r->gloss = r->sum[0];
-    r->input.texture = f->config.texture ? f->config.texture : GLINT_TEXTURE_PERSPECTIVE;
+    r->input.texture = f->config.texture;
     r->input.colours = 0;
     r->input.sampled = f->config.power || scene->camera.viewer != VIEWER_INFINITE;
     for (unsigned i = 0; i < scene->light_count; i++)
@@ -110,8 +110,10 @@ FX_COLD static void gather_piece(struct raster *r, const struct clipped_triangle
     struct shade_input *in = &r->input;
     for (int k = 0; k < 3; k++) {
         in->place[k] = piece->place[SHADE_TURN(k)];
-        for (int i = 0; i < 3; i++)
-            r->weight[k][i] = piece->weight[SHADE_TURN(k)][SHADE_TURN(i)];
+        const uint16_t *const weight = piece->weight[SHADE_TURN(k)];
+        r->weight[k][SHADE_TURN(0)] = weight[0];
+        r->weight[k][SHADE_TURN(1)] = weight[1];
+        r->weight[k][SHADE_TURN(2)] = (uint16_t)((1u << 15) - weight[0] - weight[1]);
     }
     in->weight = (const uint16_t(*)[3])r->weight;
 }
@@ -124,6 +126,7 @@ static void take_material(struct raster *r, const struct scene_header *scene, un
         effects_surface(r);
     if (raster_effects(r))
         r->surface.fold = 0; /* runs have N.L itself */
+    r->fold = r->surface.fold;
     table_find(r);
     r->input.tabled = r->surface_table != 0 && raster_is(r, GLINT_RGB565);
     r->input.grey_table = r->surface_table != 0 && raster_is(r, GLINT_GREY8);
@@ -146,6 +149,7 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     if (USES(USES_BUMP))
         in->tangents = scene_at(f->scene, object->mesh->tangents);
     in->weight = 0;
+    in->piece = piece;
     /* Once a triangle and worth unrolling. */
     const uint32_t stride = f->vertex_stride;
     int16_t *records = list_record(f, object->first_vertex), *corner = records + triangle->corner[0] * stride;
@@ -185,6 +189,13 @@ static void count_plan(struct glint_stats *stats, const struct shade_plan *plan)
         stats->largest_error = plan->error;
 }
 
+static void count_fog(struct glint_stats *stats, unsigned kind)
+{
+    stats->fogged += kind != FOGGED_NOT;
+    stats->fogged_by_pixel += kind == FOGGED_BY_PIXEL;
+    stats->fogged_wholly += kind == FOGGED_WHOLLY;
+}
+
 static void draw_triangle(struct glint_frame *f, const struct triangle_ref *ref)
 {
     struct raster *r = f->raster;
@@ -215,6 +226,8 @@ static void draw_triangle(struct glint_frame *f, const struct triangle_ref *ref)
     f->stats.specular_triangles += setup->specular_lights != 0;
     f->stats.linear_triangles +=
         (method->id == GLINT_X || method->id == GLINT_SIX) && !setup->quadratic && !setup->perspective;
+    if (USES(USES_FOG) && r->fog.kind)
+        count_fog(&f->stats, r->fog_plan.kind);
     if (f->config.method->choose)
         count_plan(&f->stats, &in->plan);
 }
@@ -289,6 +302,9 @@ void glint_worker_end(const struct glint_frame *worker, struct glint_frame *f)
     f->stats.specular_triangles += worker->stats.specular_triangles;
     f->stats.linear_triangles += worker->stats.linear_triangles;
     f->stats.setups += worker->stats.setups;
+    f->stats.fogged += worker->stats.fogged;
+    f->stats.fogged_by_pixel += worker->stats.fogged_by_pixel;
+    f->stats.fogged_wholly += worker->stats.fogged_wholly;
     f->stats.hidden_lights += worker->stats.hidden_lights;
     f->stats.hidden_highlights += worker->stats.hidden_highlights;
     f->stats.dropped_highlights += worker->stats.dropped_highlights;

@@ -52,8 +52,8 @@ extern const struct glint_method glint_x_perspective, glint_six_perspective, gli
     glint_biquadratic_perspective;
 
 /* Bump maps: light and half-way direction turned into the surface's moving frame at the corners, interpolated, and
- * multiplied with the map's normals (Hast et al. 2002). Materials without a map are drawn by x, six and duff; the other
- * methods leave maps out, but for auto. */
+ * multiplied with the map's normals (Hast et al. 2002). Materials without a map are drawn by x, six and
+ * duff (or phong, near and in perspective); the other methods leave maps out, but for auto. */
 extern const struct glint_method glint_bump_linear;     /* the directions as they are */
 extern const struct glint_method glint_bump_quadratic;  /* through six samples, middles the ends' normalised average */
 extern const struct glint_method glint_bump_normalised; /* made unit at each pixel; correct in perspective */
@@ -78,6 +78,8 @@ extern const struct glint_method glint_hybrid_x;            /* adaptive: by x */
  * nothing but the ambient part, one colour, gouraud, N.L and N.H linear or quadratic each, duff or phong; and of each
  * light's parts only those that can show. firmware/plan/README.md has the bounds. */
 extern const struct glint_method glint_auto;
+extern const struct glint_method glint_auto_shown; /* a picture of what auto does: each triangle in the colour of what
+                                                      it is drawn by (README.md's legend) */
 #define GLINT_BUDGET(num, den) ((uint16_t)((256u * (num) + (den) / 2) / (den))) /* num/den 255ths as config.budget */
 
 /* Their places in the statistics; the adaptive ones and auto count under what they draw by. */
@@ -139,7 +141,7 @@ struct glint_config {
     uint16_t width, height; /* of the picture, 1..2048 */
     uint16_t band_rows;     /* rows a band, 1..height */
     uint8_t format;         /* enum glint_format */
-    uint8_t flags;          /* GLINT_DITHER, GLINT_NO_PLAN */
+    uint8_t flags;          /* GLINT_DITHER, GLINT_NO_PLAN, GLINT_EVERY_ZIGZAG */
     const struct glint_method *method;
     const struct glint_power *power; /* null: the table */
     uint8_t texture;                 /* enum glint_texture */
@@ -153,7 +155,8 @@ struct glint_config {
     uint16_t max_clipped; /* triangles made by clipping, at any one time a few: 64 suits most scenes */
     uint8_t max_objects;
     uint8_t max_lights; /* 0..8; a scene with more is not drawn (GLINT_E_SCENE) */
-    uint8_t tables;     /* 16 KiB colour tables, one a material under one light: RGB565's fast path. 0: none */
+    uint8_t tables; /* one a material under one light, for fast paths: of colours in RGB565 (16 KiB each), of highlights
+                       in GREY8 (2 KiB) and RGB888 (8 KiB); table.c says what they cost in accuracy. 0: none */
 
     uint16_t budget; /* of auto: how far a pixel may be off, Q8 in 1/255 of full intensity; 0: 2.0. Integer roundings
                         add at most 1.5/255 (and half a step in formats of fewer bits) */
@@ -178,6 +181,10 @@ struct glint_stats {
     uint32_t highlight_tests;       /* triangles tested for a highlight, when the frame begins: those of all objects */
     uint32_t potentially_highlighted; /* those of them that may hold one's centre */
     uint32_t setups;                  /* triangle set-ups: one a triangle and band that it touches */
+    uint32_t turned;                  /* triangles of which the back is seen, and drawn */
+    uint32_t fogged;                  /* of the drawn: those that some fog reaches */
+    uint32_t fogged_by_pixel;         /* of them, those whose fog is found for each pixel anew */
+    uint32_t fogged_wholly;           /* of them, those that are all fog: unlit */
     /* Of the drawn by auto: what was left out, and the bound of the error that this allows. */
     uint32_t hidden_lights;      /* pairs of a triangle and a light that reaches no pixel of it: exact */
     uint32_t hidden_highlights;  /* whose highlight reaches none: exact */

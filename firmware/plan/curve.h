@@ -10,9 +10,6 @@
 
 #define CURVE_MOST_BEND 32768u /* 90 degrees between normals: beyond, nothing is promised */
 
-/* The stretch of what exceeds that: linear values are off by all there is; times 2^14 below 2^32. */
-#define CURVE_NEVER (1u << 17)
-
 /* One chord of the table F (f): the error of six is at most kB (alpha h1 kB + beta d); Q16. */
 struct curve_line {
     int32_t alpha, beta;
@@ -21,7 +18,7 @@ struct curve_line {
 /* A triangle of normals. */
 struct curve {
     uint32_t bend;                  /* the largest, kB, Q16 */
-    uint32_t stretch;               /* 1/|N| - 1 where N is shortest, Q15, rounded up (a) */
+    uint32_t stretch;               /* 1/|N| - 1 where N is shortest, Q15, rounded up (a); with lines */
     const struct curve_line *lines; /* five, or null: nothing is promised */
 };
 
@@ -51,7 +48,7 @@ static inline void curve_setup(struct curve *curve, const uint16_t bend[3])
     most = c > most ? c : most;
     curve->bend = most;
     curve->lines = 0;
-    curve->stretch = CURVE_NEVER;
+    curve->stretch = 0;
     if (most > CURVE_MOST_BEND)
         return;
     /* the sum is at most 2^17, times 5462 below 2^29.5; s <= 2^13.5, s^2 < 2^27, times the factor below 2^24 */
@@ -78,13 +75,13 @@ static inline struct curve_values curve_values(int32_t a, int32_t b, int32_t c)
 
 /*
  * (d), (c) Fills linear and top; high > 0. Truth exceeds the linear value by at most (.593 h1 + .407 h2) (1/|N| - 1),
- * and is never below it where it shows; nothing exceeds h1 if h1 - h2 >= 2 h1 kB. mean <= 2^14 (1 + 2^-9), stretch <=
- * 2^17.
+ * and is never below it where it shows (without lines, by all there is); nothing exceeds h1 if h1 - h2 >= 2 h1 kB. mean
+ * <= 2^14 (1 + 2^-9), stretch <= 2^17.
  */
 static inline void curve_bound(const struct curve *curve, struct curve_values *v)
 {
     const int32_t mean = ((v->high * 607 + (v->middle > 0 ? v->middle : 0) * 418) >> 10) + 1;
-    v->linear = (int32_t)((uint32_t)mean * curve->stretch >> 15) + 1;
+    v->linear = curve->lines ? (int32_t)((uint32_t)mean * curve->stretch >> 15) + 1 : 16384;
     v->top = v->high;
     if (v->high - v->middle <= (int32_t)((uint32_t)v->high * curve->bend >> 15) + 1) {
         v->top += v->linear;

@@ -54,7 +54,8 @@ static int32_t q16_of(struct scaled a)
 static uint32_t closeness_of(const struct fog *fog, uint32_t depth_q16)
 {
     const uint32_t far = (uint32_t)DEPTH_FAR << 16, least = 1u << 14, back = fog->divides ? 1u << 16 : 1u << 15;
-    return depth_q16 + back > far + least ? depth_q16 + back - far : least; /* DEPTH_NEAR < 2^16 - 1 */
+    return depth_q16 + back > far + least ? depth_q16 + back - far
+                                          : least; /* depths are at most DEPTH_NEAR and a rounding */
 }
 
 /* u in Q16, -2^30..2^31. */
@@ -90,7 +91,7 @@ static uint32_t q14_of(uint32_t part_q16)
 /* The least depth whose part in Q14 is at most `part`: it falls as depth rises. */
 FX_COLD static uint16_t first_depth(const struct fog *fog, uint32_t part)
 {
-    uint32_t low = 0, high = 65536;
+    uint32_t low = 0, high = DEPTH_NEAR + 1;
     while (low < high) {
         const uint32_t middle = (low + high) / 2;
         if (q14_of(fog_part(fog, middle << 16)) > part)
@@ -98,7 +99,7 @@ FX_COLD static uint16_t first_depth(const struct fog *fog, uint32_t part)
         else
             high = middle;
     }
-    return (uint16_t)(low > 65535 ? 65535 : low);
+    return (uint16_t)low;
 }
 
 /* The greatest |dF/dc|, by which a depth counts that is off by 1 (orthographic: 1/2). In perspective du/dc = -A / c^2 =
@@ -169,19 +170,42 @@ static uint32_t bow_of(const struct fog *fog, int32_t near, int32_t far)
     return sum ? (step * step >> 2) / sum + 2 : step;
 }
 
+/* Of exponential fog, where u changes by `step` < 1 and is nowhere less than `least`. */
+static uint32_t exponential_error(uint32_t bow, uint32_t step, int32_t least)
+{
+    const uint32_t curve = step * step >> 20; /* (ln 2)^2 / 8 < 2^-4 */
+    bow = bow * 45427 >> 16;                  /* ln 2 */
+    bow = (bow > curve ? bow : curve) + 1;
+    return (bow * fx_exp2_minus(least > 0 ? (uint32_t)least : 0) >> 16) + 2; /* bow < 3/4 * 2^16 */
+}
+
 /* How far the interpolated part can be off, Q16. */
 static uint32_t linear_error(const struct fog *fog, int32_t near, int32_t far)
 {
     if (far - near >= ONE)
         return ONE;
-    uint32_t bow = bow_of(fog, near, far); /* at most their difference and 2 */
-    if (fog->kind == FOG_EXPONENTIAL) {
-        const uint32_t step = (uint32_t)(far - near), curve = step * step >> 20; /* (ln 2)^2 / 8 < 2^-4 */
-        bow = bow * 45427 >> 16;                                                 /* ln 2 */
-        bow = (bow > curve ? bow : curve) + 1;
-        return (bow * fx_exp2_minus(near > 0 ? (uint32_t)near : 0) >> 16) + 2; /* bow < 3/4 * 2^16 */
-    }
+    const uint32_t bow = bow_of(fog, near, far); /* at most their difference and 2 */
+    if (fog->kind == FOG_EXPONENTIAL)
+        return exponential_error(bow, (uint32_t)(far - near), near);
     return bow + (uint32_t)(near < 0 ? -near : 0) + (uint32_t)(far > ONE ? far - ONE : 0);
+}
+
+uint32_t fog_run_error(const struct fog *fog, const int32_t depth[3], uint32_t step_q16)
+{
+    int32_t least = depth[0] < depth[1] ? depth[0] : depth[1], most = depth[0] < depth[1] ? depth[1] : depth[0];
+    least = depth[2] < least ? depth[2] : least;
+    most = depth[2] > most ? depth[2] : most;
+    const int32_t most_u = argument(fog, (uint32_t)least << 16), least_u = argument(fog, (uint32_t)most << 16);
+    const uint32_t at = (uint32_t)(least < fog->solid ? fog->solid : least) << 16;
+    if (step_q16 > UINT32_MAX - at)
+        return ONE;
+    const int32_t near = argument(fog, at + step_q16), far = argument(fog, at);
+    if (far - near >= ONE)
+        return ONE;
+    const uint32_t bow = bow_of(fog, near, far), step = (uint32_t)(far - near);
+    if (fog->kind == FOG_EXPONENTIAL)
+        return exponential_error(bow, step, least_u);
+    return least_u < 0 || most_u > ONE ? bow + step / 4 + 1 : bow;
 }
 
 static void set_even(struct fog_plan *plan, uint32_t part_q14, int all)

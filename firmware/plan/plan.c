@@ -74,9 +74,11 @@ static void take_six(const struct facts *f, const struct plan_surface *s, struct
     const uint32_t budget = s->budget, never = 1u << 16;
     uint32_t six_l = 0, six_h = 0, error;
     /* between normals beyond 90 degrees, what Duff divides by is short, and what N.L is rounded by grows */
-    plan->rung = s->sharp || !f->curve.lines ? PLAN_PHONG : PLAN_DUFF;
+    plan->rung = s->sharp || f->curve.bend > s->duff_bend ? PLAN_PHONG : PLAN_DUFF;
     if (!f->curve.lines)
         return;
+    plan->diffuse = (uint8_t)f->lit;
+    plan->specular = (uint8_t)f->shines;
     if (f->lit)
         six_l = parts_scaled(f->diffuse, curve_six(&f->curve, &f->l));
     if (six_l > f->linear_l) /* a bound may be the looser one of its kind */
@@ -84,12 +86,12 @@ static void take_six(const struct facts *f, const struct plan_surface *s, struct
     error = six_l + f->most;
     if (error <= budget) {
         plan->diffuse_bent = 1;
-        plan->dropped_highlights = (uint8_t)f->shines;
+        plan->dropped_highlights = plan->specular;
+        plan->specular = 0;
     } else if (!f->shines) {
         return;
     } else {
         six_h = parts_slack_above(s, f->specular, f->h.top, curve_six(&f->curve, &f->h));
-        plan->specular = 1;
         if ((error = f->linear_l + six_h) <= budget) {
             plan->specular_bent = 1;
         } else if ((error = six_l + f->linear_h) <= budget) {
@@ -97,11 +99,9 @@ static void take_six(const struct facts *f, const struct plan_surface *s, struct
         } else if ((error = six_l + six_h) <= budget) {
             plan->diffuse_bent = plan->specular_bent = 1;
         } else {
-            plan->specular = 0;
             return;
         }
     }
-    plan->diffuse = (uint8_t)f->lit;
     plan->diffuse_bent &= plan->diffuse;
     plan->rung = plan->diffuse_bent | plan->specular_bent ? PLAN_SIX : PLAN_LINEAR;
     plan->error = (uint16_t)error;
@@ -109,12 +109,12 @@ static void take_six(const struct facts *f, const struct plan_surface *s, struct
 
 void plan_keep(struct shade_plan *plan)
 {
-    if (plan->rung != PLAN_DARK && plan->rung != PLAN_LINEAR && plan->rung != PLAN_SIX)
+    if (plan->rung == PLAN_CONSTANT || plan->rung == PLAN_GOURAUD || plan->rung == PLAN_PHONG)
         return;
     if (plan->rung == PLAN_DARK)
         plan->rung = PLAN_LINEAR;
-    plan->diffuse |= plan->hidden_lights;
-    plan->specular |= plan->hidden_highlights;
+    plan->diffuse |= plan->hidden_lights & 1;
+    plan->specular |= plan->hidden_highlights & 1;
 }
 
 void plan_triangle(struct shade_plan *plan, const struct plan_surface *s, const struct plan_triangle *t)
@@ -149,13 +149,14 @@ void plan_triangle(struct shade_plan *plan, const struct plan_surface *s, const 
     }
     plan->hidden_lights = (uint8_t)!f.lit;
     plan->hidden_highlights = (uint8_t)(f.specular && !f.shines);
+    const int finished = !s->apart || (!f.shines && (!f.lit || parts_scaled(f.diffuse, f.l.top) <= s->full));
     if (!f.lit && !f.shines)
         plan->rung = PLAN_DARK;
-    else if (is_constant(&f, s, plan))
+    else if (finished && is_constant(&f, s, plan))
         plan->rung = PLAN_CONSTANT;
     else if (f.linear_l + f.linear_h > s->budget)
         take_six(&f, s, plan);
-    else if (is_gouraud(&f, s, plan))
+    else if (finished && is_gouraud(&f, s, plan))
         plan->rung = PLAN_GOURAUD;
     else
         take_linear(&f, s, plan);

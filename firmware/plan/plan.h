@@ -11,7 +11,8 @@
 
 #include "geometry/object.h"
 
-#define PLAN_BUDGET (2u << 8) /* where the configuration says 0 */
+#define PLAN_BUDGET                (2u << 8)       /* where the configuration says 0 */
+#define PLAN_TEXTURE_SHARE(budget) ((budget) >> 2) /* of a budget: what texture coordinates may take of it */
 
 /* The ladder, cheapest first. */
 enum plan_rung {
@@ -51,9 +52,13 @@ struct plan_surface {
     uint16_t budget; /* Q8 of 1/255 */
     uint8_t lights;
     uint8_t highlights; /* some light has one */
+    uint16_t spare;     /* what is left of the allowance for roundings, Q8 of 1/255 */
+    uint16_t lengths;   /* what Duff's table of reciprocal lengths is off by, likewise */
     uint8_t sharp;      /* roundings of N.H in vertex records alone pass the budget: Duff does not do either */
-    uint16_t full;      /* what all lights together may add before a channel is clamped, Q8 of 1/255 */
-    int16_t foot;       /* N.H below which the power is 0, Q14 */
+    uint16_t duff_bend; /* the largest bend for which Duff is taken rather than phong; at most CURVE_MOST_BEND */
+    uint8_t apart; /* textured: what is finished before the texel is known must not be clamped, nor have a highlight */
+    uint16_t full; /* what all lights together may add before a channel is clamped, Q8 of 1/255 */
+    int16_t foot;  /* N.H below which the power is 0, Q14 */
     struct {
         uint16_t diffuse, specular; /* the worst channel's part at N.L = 1, (N.H)^n = 1: Q8 of 1/255, at most 255 */
     } light[SCENE_MAX_LIGHTS];
@@ -76,7 +81,9 @@ void plan_triangle(struct shade_plan *plan, const struct plan_surface *surface, 
 /* The same for any number of lights and in perspective: what plan_triangle() calls where it has no short cut. */
 void plan_several(struct shade_plan *plan, const struct plan_surface *surface, const struct plan_triangle *triangle);
 
-/* Makes a plan compute what is hidden all the same. */
+/* Makes a plan compute what is hidden all the same, of the first light: which loop draws depends on whether others
+ * show.
+ */
 void plan_keep(struct shade_plan *plan);
 
 #endif

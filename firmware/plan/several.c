@@ -161,8 +161,8 @@ static void take_parts(const struct work *w, struct shade_plan *plan)
 {
     uint32_t total = w->linear;
     plan->rung = PLAN_LINEAR;
-    for (unsigned i = w->parts; i-- > 0;) {
-        const struct part *p = &w->part[i];
+    for (unsigned left = w->parts; left > 0; left--) {
+        const struct part *p = &w->part[left - 1];
         const uint8_t bit = (uint8_t)(1u << p->light);
         const uint32_t rest = total - (p->bent ? p->six : p->linear);
         if (p->highlight && rest + p->none <= w->s->budget) {
@@ -188,7 +188,9 @@ static void take_phong(const struct work *w, struct shade_plan *plan)
         const struct curve_values v = values(w, p->light, p->highlight);
         total += w->curve.lines ? curved_error(w, p, &v, moved_curved(w, &v)) : 1u << 16;
     }
-    plan->rung = total > w->s->budget || w->s->sharp || !w->curve.lines ? PLAN_PHONG : PLAN_DUFF;
+    plan->rung = total > w->s->budget || w->s->sharp || w->curve.bend > w->s->duff_bend ? PLAN_PHONG : PLAN_DUFF;
+    for (unsigned i = 0; i < w->parts; i++)
+        *(w->part[i].highlight ? &plan->specular : &plan->diffuse) |= (uint8_t)(1u << w->part[i].light);
     plan->error = (uint16_t)(total > w->s->budget ? 0 : total);
 }
 
@@ -207,6 +209,15 @@ uint32_t plan_shift(const int16_t *const place[3])
     return shift < 1u << 16 ? shift : 1u << 16;
 }
 
+/* Whether colours may be finished where a texel is to multiply them: no highlight shows, and nothing is clamped. */
+static int is_finished(const struct work *w)
+{
+    for (unsigned i = 0; i < w->parts; i++)
+        if (w->part[i].highlight)
+            return 0;
+    return w->most <= w->s->full;
+}
+
 void plan_several(struct shade_plan *plan, const struct plan_surface *s, const struct plan_triangle *t)
 {
     struct work w; /* its parts are filled as they come */
@@ -219,11 +230,12 @@ void plan_several(struct shade_plan *plan, const struct plan_surface *s, const s
     curve_setup(&w.curve, t->bend);
     for (unsigned i = 0; i < s->lights; i++)
         add_parts(&w, plan, i);
+    const int finished = !s->apart || is_finished(&w);
     if (!w.parts)
         plan->rung = PLAN_DARK;
-    else if (is_constant(&w, plan))
+    else if (finished && is_constant(&w, plan))
         plan->rung = PLAN_CONSTANT;
-    else if (w.linear <= s->budget && is_gouraud(&w, plan))
+    else if (finished && w.linear <= s->budget && is_gouraud(&w, plan))
         plan->rung = PLAN_GOURAUD;
     else if (w.linear <= s->budget || bend_parts(&w))
         take_parts(&w, plan);

@@ -16,7 +16,7 @@
  *
  * Quadratic through the true values at the corners and at the middles of the edges: with the bulges of shade/uv.h, by
  *   multiplying out,  error = sum_{i<j} li lj (ui - uj) (si - sj) (1 / S - 2 / (si + sj)).
- *   On an edge that is d q^2 (s + s') t (1 - t) (1 - 2 t) / S. tests/unit/test_texture_bound.c searches the triangle
+ *   On an edge that is d q^2 (s + s') t (1 - t) (1 - 2 t) / S. tests/unit/test_texture_uv.c searches the triangle
  * for all orders of the si and all ui of 0 and d, which suffices as the error is linear in them: nowhere does it pass
  * the edge's by more than .05 %, and that is at most d q^2 (.1927 + .1 q + .2 q^2) for q <= 3/4.
  *

@@ -2,6 +2,7 @@
 #include "raster/effects.h"
 
 #include "raster/fogged.h"
+#include "raster/split.h"
 #include "raster/texture.h"
 #include "shade/uv.h"
 
@@ -53,14 +54,40 @@ static int glosses(const struct raster *r, const struct glint_method *method)
     return method->colours == COLOURS_OF_NORMALS || (method->colours == COLOURS_OF_DOTS && shade_specular(&r->setup));
 }
 
+/* Sets up how texture coordinates are found, if the set-up of a bump map has not. 1: by splitting. */
+static __attribute__((noinline)) int choose_kind(struct raster *r, const struct glint_method *method)
+{
+    struct shade_input *in = &r->input;
+    const struct surface_texture *texture = &r->surface.texture;
+    struct uv_corners uv;
+    unsigned kind = in->texture;
+    if (r->setup.uv_kind)
+        return 0;
+    uv_corners(&uv, in);
+    const struct texture_spread spread = uv_spread(&uv, texture);
+    if (kind == GLINT_TEXTURE_DEFAULT && r->surface.plan.power) { /* auto */
+        uint32_t error;
+        kind = texture_choose(texture->head, &spread, PLAN_TEXTURE_SHARE(r->budget), &error);
+        in->plan.texture = (uint8_t)kind;
+        in->plan.error = (uint16_t)(in->plan.error + error);
+    }
+    if (kind == GLINT_TEXTURE_SPLIT && texture_error(&spread, GLINT_TEXTURE_QUADRATIC) <= PLAN_TEXTURE_SHARE(r->budget))
+        kind = GLINT_TEXTURE_QUADRATIC;
+    if (kind == GLINT_TEXTURE_SPLIT && method->run && split_begin(r, &uv))
+        return 1;
+    uv_setup_corners(&r->setup, &uv, kind);
+    return 0;
+}
+
 uint32_t effects_triangle(struct raster *r, struct edges *e, const struct glint_method *method)
 {
+    int splits = 0;
     if (USES(USES_TEXTURE) && (r->effects & USES_TEXTURE))
-        uv_setup(&r->setup, &r->input, r->input.texture);
+        splits = choose_kind(r, method);
     if (!method->run)
         return method->draw(r, e);
     r->gloss = glosses(r, method) ? r->apart[0] : r->sum[0];
-    const uint32_t drawn = effects_draw(r, e, method->run);
+    const uint32_t drawn = splits ? split_draw(r, e, method->run) : effects_draw(r, e, method->run);
     r->gloss = r->sum[0];
     return drawn;
 }

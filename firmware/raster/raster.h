@@ -1,8 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * From a set-up triangle to pixels of a band. Two ways lead there: loops made for one case (RGB565 from a colour table,
- * and Gouraud and flat in 565), and the general one, which works on runs of up to RUN pixels: depth test to a mask,
- * shading into sums, conversion to the output's format.
+ * From a set-up triangle to pixels of a band. Three ways lead there:
+ *   spans.h    loops that go straight into the band, one for each format and kind of pixel: under one light N.L and
+ * N.H, linear or quadratic, or over the length of the normal, and finished colours effects.h  runs of RUN pixels
+ * through stages of effects, for surfaces that have some runs.h     the general one, runs again: depth test to a mask,
+ * shading into sums, conversion to the output's format
+ *
+ * A new kind of pixel is a bit of enum spans_kind, what it makes of the channels in spans_grey(), spans_rgb565() or
+ * spans_rgb888(), and a SPANS_CASE in the format's file beside the condition that it is drawn by; whatever else it
+ * steps goes into struct spans_values. The constant kind leaves each case what it uses.
  */
 #ifndef GLINT_RASTER_H
 #define GLINT_RASTER_H
@@ -11,7 +17,7 @@
 #include "glint.h"
 #include "plan/fog.h"
 #include "raster/edges.h"
-#include "shade/perspective.h"
+#include "shade/uv.h"
 
 #define RUN                16 /* pixels; a mask bit each */
 #define RASTER_NO_MATERIAL 0xffffu
@@ -19,9 +25,9 @@
 #define SPANS 32 /* rows scan-converted at a time */
 
 /*
- * What one material is under the first light, see table.c. RGB565: colours [highlight step][diffuse step], TABLE_HIGHLIGHT by
- * TABLE_DIFFUSE. GREY8, RGB888: ambient part and highlight by highlight step, 2^TABLE_BITS entries of 1 or 4 (r, g, b,
- * none) numbers. Row or entry 0 has no highlight.
+ * What one material is under the first light, see table.c. RGB565: colours [highlight step][diffuse step],
+ * TABLE_HIGHLIGHT by TABLE_DIFFUSE. GREY8, RGB888: ambient part and highlight by highlight step, 2^TABLE_BITS entries
+ * of 1 or 4 (r, g, b, none) numbers. Row or entry 0 has no highlight.
  */
 #define TABLE_DIFFUSE   64
 #define TABLE_HIGHLIGHT 128
@@ -59,10 +65,15 @@ struct raster {
     struct fog fog;
     uint16_t fog_colour[3]; /* Q8 steps */
     uint16_t fog_allowed;   /* error that may be added, Q16 of full intensity */
+    uint8_t fog_planned;    /* by auto: it is part of input.plan */
+    uint16_t plan_budget;   /* what surface.plan has without fog */
     struct surface surface;
-    uint16_t budget;                          /* of auto, Q8 of 1/255 */
-    uint16_t surface_material;                /* which one `surface` holds; 0xffff: none */
+    uint16_t budget;                   /* of auto, Q8 of 1/255 */
+    uint16_t surface_material;         /* which one `surface` holds; 0xffff: none */
     const struct table *surface_table; /* made for `surface`; null: none, or not looked for yet */
+    uint16_t fold;                     /* the surface's, of triangles without fog */
+    const struct table *plan_table;    /* auto: the surface's, which a triangle takes where the budget has room for */
+    uint16_t table_off;                /* what it is off by, Q8 of 1/255 */
     void *table;                       /* one for each of the first r->tables materials, table_bytes() each */
     /* the triangle in hand */
     struct shade_input input;
@@ -76,8 +87,9 @@ struct raster {
             int16_t place[CLIP_MAX_CORNERS][3];
         } begin;
     };
-    uint32_t surface_effects; /* what the surface in hand asks for at each pixel besides lighting: USES_TEXTURE */
-    uint32_t effects;         /* what the triangle does: that, and USES_FOG */
+    uint32_t surface_effects;  /* what the surface in hand asks for at each pixel besides lighting: USES_TEXTURE */
+    uint32_t effects;          /* what the triangle does: that, and USES_FOG */
+    struct uv_corners corners; /* of a triangle whose texture coordinates are split: split.h */
     uint16_t weight[3][3];
     struct shade_turned turned;
     uint16_t colours[3][COLOUR_WORDS];
@@ -190,6 +202,10 @@ uint32_t table_bytes(unsigned format);
 
 /* Empties r->tables tables. */
 void table_clear(struct raster *r);
+
+/* What r->surface_table costs in accuracy at most, Q8 of 1/255, roundings of the output apart (see table.c); 0 if null.
+ */
+uint16_t table_error(const struct raster *r);
 
 /* Sets r->surface_table to the table of the surface in hand, made anew if it was another's; null if it has none: GREY4,
  * dither, no light, outside RGB565 another form of the power, or a material beyond the tables. Table i is material

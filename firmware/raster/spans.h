@@ -16,10 +16,12 @@
  *                    SPANS_WIDE in Q30
  *   SPANS_LENGTH     N.L and N.H are to be divided by the normal's length, whose square channel SHADE_SQUARE holds less
  *                    than 1: 1 - |N|^2 in Q30, below 1/4
+ *   SPANS_NORMAL     the normal's components in Q30, linear, between normals at most 90 degrees apart
  */
 #ifndef GLINT_SPANS_H
 #define GLINT_SPANS_H
 
+#include "raster/normals.h"
 #include "raster/raster.h"
 
 enum spans_kind {
@@ -35,11 +37,14 @@ enum spans_kind {
     SPANS_WIDE = 128,     /* see above */
     SPANS_POWER = 256,    /* grey: N.H, in Q30, by the scene's power table: no memory */
     SPANS_LENGTH = 512,   /* grey: both over the length of the normal */
+    SPANS_NORMAL = 1024,  /* grey: both of the normal in the channels, made unit: the bits are those of normals_run() */
 };
 
 /* Whether channel 1 is stepped, and whether the third (blue, or SHADE_SQUARE). */
-#define SPANS_H(kind) (((kind)&SPANS_HIGHLIGHT) != 0 || (((kind)&SPANS_COLOUR) != 0 && ((kind)&SPANS_GREY8) == 0))
-#define SPANS_C(kind) (((kind)&SPANS_LENGTH) != 0 || (((kind)&SPANS_COLOUR) != 0 && ((kind)&SPANS_GREY8) == 0))
+#define SPANS_H(kind) \
+    (((kind) & (SPANS_HIGHLIGHT | SPANS_NORMAL)) != 0 || (((kind)&SPANS_COLOUR) != 0 && ((kind)&SPANS_GREY8) == 0))
+#define SPANS_C(kind) \
+    (((kind) & (SPANS_LENGTH | SPANS_NORMAL)) != 0 || (((kind)&SPANS_COLOUR) != 0 && ((kind)&SPANS_GREY8) == 0))
 
 /* What pixels are made of besides channels. */
 struct spans_look {
@@ -47,8 +52,18 @@ struct spans_look {
     const uint16_t *diffuse; /* RGB888: Q8 steps of each channel */
     uint32_t colour;         /* one colour; else grey: the ambient part with the rounding half, Q7 steps */
     uint32_t specular;       /* SPANS_POWER: Q8 steps */
-    uint32_t foot;           /* SPANS_LENGTH: of the power, Q30 */
-    unsigned down;           /* of N.H in Q30 to steps of the table */
+    uint32_t foot;           /* SPANS_LENGTH: of the power, Q30; times 2^octave unless wide or by the power */
+    unsigned down;           /* of N.H in Q30 to steps of the table; SPANS_LENGTH in its place: to Q15 times 2^octave */
+    const struct spans_light *light; /* SPANS_NORMAL */
+};
+
+/* The light in the object's axes, and what the surface makes of it: Q15 steps and Q8 steps. */
+struct spans_light {
+    q14_t towards[3], half[3];
+    int32_t shortness; /* normals_shortness(half) */
+    uint32_t base;
+    uint16_t diffuse, specular;
+    const struct fx_power *power;
 };
 
 /* Values at the first pixel, first differences, and second ones (0 where linear). c: blue, or 1 - |N|^2. */
@@ -60,28 +75,49 @@ struct spans_values {
 #define SPANS_LENGTH_BITS 9
 extern const uint16_t spans_length[1 << SPANS_LENGTH_BITS];
 
-static inline __attribute__((always_inline)) uint32_t spans_grey(const struct spans_values *v,
-                                                                 const struct spans_look *look, unsigned kind)
+static inline __attribute__((always_inline)) uint32_t spans_normal(const struct spans_values *v,
+                                                                   const struct spans_light *light)
+{
+    /* Q15; |N|^2 in [1/3, 1 + 2^-12] */
+    const int32_t x = (int32_t)v->l >> 15, y = (int32_t)v->h >> 15, z = (int32_t)v->c >> 15;
+    const struct normals_vector normal = normals_vector(x, y, z, (uint32_t)(x * x + y * y + z * z));
+    const q30_t l = normals_dot(&normal, light->towards), h = normals_dot(&normal, light->half);
+    uint32_t sum = light->base;
+    if (l > 0)
+        sum += surface_diffuse((uint32_t)l >> 15, light->diffuse);
+    if (h > 0)
+        sum += surface_diffuse(fx_power(light->power, normals_lengthened(h, light->shortness)), light->specular);
+    sum = (sum + (1u << 14)) >> 15;
+    return sum < 255 ? sum : 255;
+}
+
+FX_WRAPS static inline __attribute__((always_inline)) uint32_t spans_grey(const struct spans_values *v,
+                                                                          const struct spans_look *look, unsigned kind)
 {
     if (kind & SPANS_COLOUR)
         return v->l >> 24;
     if (kind & SPANS_PLAIN)
         return v->l >> 22;
+    if (kind & SPANS_NORMAL)
+        return spans_normal(v, look->light);
     uint32_t sum = look->colour;
     if (!(kind & (SPANS_DIFFUSE | SPANS_HIGHLIGHT)))
         return sum;
     uint32_t h = v->h, by = 0;
     if (kind & SPANS_LENGTH) {
         by = spans_length[fx_saturated(v->c, SPANS_LENGTH_BITS, 28 - SPANS_LENGTH_BITS)];
-        if (kind & SPANS_HIGHLIGHT) /* the quotient is at least -1, the foot below 1: within [-2, 2) in Q30 */
+        if (kind &
+            (SPANS_WIDE | SPANS_POWER)) /* the quotient is at least -1, the foot below 1: within [-2, 2) in Q30 */
             h = (uint32_t)((int32_t)h >> 15) * by - look->foot;
+        else if (kind & SPANS_HIGHLIGHT) /* modulo 2^32 */
+            h = (uint32_t)((int32_t)h >> look->down) * by - look->foot;
     }
     if (kind & SPANS_POWER) { /* powers are at most 2^15, the step's light below 2^16; the product in Q7 steps */
         const uint32_t t = fx_saturated((uint32_t)((int32_t)h >> look->down), 22, 0);
         const uint16_t *p = &look->table[t >> 15];
         const uint32_t power = p[0] + ((uint32_t)(p[1] - p[0]) * (t & 0x7fff) >> 15);
         sum += (power * look->specular >> 16) & ~(uint32_t)((int32_t)h >> 31); /* none below the foot */
-    } else if (kind & (SPANS_WIDE | SPANS_LENGTH) && kind & SPANS_HIGHLIGHT) {
+    } else if (kind & SPANS_WIDE) {
         sum = look->table[fx_saturated((uint32_t)((int32_t)h >> look->down), TABLE_BITS, 0)];
     } else if (kind & SPANS_HIGHLIGHT) {
         sum = look->table[fx_saturated(h, TABLE_BITS, 30 - TABLE_BITS)];
@@ -141,21 +177,31 @@ static inline __attribute__((always_inline)) void spans_step(uint32_t *value, ui
         fx_step(step, second);
 }
 
-/*
- * Pixels [at, end) of the band. *hidden counts those that are not the nearest; it stays in memory, as the loops need
- * the registers. Pixel and depth have one pointer between them where their steps are powers of 2.
- */
-FX_WRAPS static inline __attribute__((always_inline)) void spans_pixels(const struct raster *r, struct spans_values v,
+/* Where pixels are: `base` and `step` of what is counted from (grey: the pixels, else depths), and of RGB888's pixels;
+ * from one to the other where they have one pointer between them, as their steps are powers of 2. */
+struct spans_place {
+    uintptr_t base, to_other, pixels;
+};
+
+FX_WRAPS static inline struct spans_place spans_find(const struct raster *r, unsigned kind)
+{
+    const uintptr_t pixels = (uintptr_t)r->pixels, depth = (uintptr_t)r->depth;
+    if (kind & SPANS_GREY8)
+        return (struct spans_place){pixels, depth - 2 * pixels, 0};
+    return (struct spans_place){depth, pixels - depth, pixels};
+}
+
+/* Pixels [at, end) of the band. *hidden counts those that are not the nearest; it stays in memory, as the loops need
+ * the registers. */
+FX_WRAPS static inline __attribute__((always_inline)) void spans_pixels(struct spans_place place, struct spans_values v,
                                                                         uint32_t at, uint32_t end,
                                                                         const struct spans_look *look,
                                                                         volatile uint32_t *hidden, unsigned kind)
 {
-    const unsigned step = kind & SPANS_GREY8 ? 1 : 2; /* of what p counts: grey pixels, or depths */
-    uintptr_t p = (kind & SPANS_GREY8 ? (uintptr_t)r->pixels : (uintptr_t)r->depth) + step * (uintptr_t)at;
-    const uintptr_t last = p + step * (uintptr_t)(end - at);
-    uintptr_t other = kind & SPANS_GREY8    ? (uintptr_t)r->depth - 2 * (uintptr_t)r->pixels
-                      : kind & SPANS_RGB888 ? (uintptr_t)r->pixels + 3 * (uintptr_t)at
-                                            : (uintptr_t)r->pixels - (uintptr_t)r->depth;
+    const unsigned step = kind & SPANS_GREY8 ? 1 : 2;
+    uintptr_t p = place.base + step * (uintptr_t)at;
+    const uintptr_t last = place.base + step * (uintptr_t)end;
+    uintptr_t other = kind & SPANS_RGB888 ? place.pixels + 3 * (uintptr_t)at : place.to_other;
     const int quadratic = (kind & SPANS_QUADRATIC) != 0;
     do {
         if (kind & SPANS_GREY8)
@@ -174,7 +220,7 @@ FX_WRAPS static inline __attribute__((always_inline)) void spans_pixels(const st
             *hidden = *hidden + 1;
         }
         fx_step(&v.z, v.dz);
-        if (kind & (SPANS_DIFFUSE | SPANS_PLAIN | SPANS_COLOUR))
+        if (kind & (SPANS_DIFFUSE | SPANS_PLAIN | SPANS_COLOUR | SPANS_NORMAL))
             spans_step(&v.l, &v.dl, v.al, quadratic && !(kind & SPANS_LENGTH));
         if (SPANS_H(kind))
             spans_step(&v.h, &v.dh, v.ah, quadratic && !(kind & SPANS_LENGTH));
@@ -208,7 +254,7 @@ spans_at(const struct shade_setup *setup, uint32_t i, uint32_t j, unsigned kind)
     const int quadratic = (kind & SPANS_QUADRATIC) != 0, bends = quadratic && !(kind & SPANS_LENGTH);
     struct spans_values v = {.al = 2 * pl->a, .ah = 2 * ph->a, .ac = 2 * pc->a};
     v.z = spans_start(&setup->depth.p, i, j, &v.dz, 0);
-    if (kind & (SPANS_DIFFUSE | SPANS_PLAIN | SPANS_COLOUR))
+    if (kind & (SPANS_DIFFUSE | SPANS_PLAIN | SPANS_COLOUR | SPANS_NORMAL))
         v.l = spans_start(pl, i, j, &v.dl, bends);
     if (SPANS_H(kind))
         v.h = spans_start(ph, i, j, &v.dh, bends);
@@ -226,6 +272,7 @@ FX_WRAPS static inline __attribute__((always_inline)) uint32_t spans_draw(struct
     const uint32_t width = r->width, ox = (uint32_t)setup->plane.ox;
     volatile uint32_t hidden = 0;
     uint32_t j = (uint32_t)(e->row - setup->plane.oy), row = (uint32_t)(e->row - r->y0) * width, covered = 0;
+    const struct spans_place place = spans_find(r, kind);
     struct spans_values v = spans_at(setup, 0u - ox, j, kind); /* linear: at the row's column 0 */
     if (kind & SPANS_COLOUR) {                                 /* to the nearest step */
         v.l += 1u << 23;
@@ -250,7 +297,7 @@ FX_WRAPS static inline __attribute__((always_inline)) uint32_t spans_draw(struct
                 }
                 const uint32_t at = row + (uint32_t)x;
                 covered += (uint32_t)n;
-                spans_pixels(r, first, at, at + (uint32_t)n, &look, &hidden, kind);
+                spans_pixels(place, first, at, at + (uint32_t)n, &look, &hidden, kind);
             }
             if (quadratic) {
                 j++;
@@ -280,6 +327,7 @@ uint32_t spans_grey8_constant(struct raster *r, struct edges *e, uint32_t colour
 uint32_t spans_grey8_colours(struct raster *r, struct edges *e);
 uint32_t spans_grey8_dots(struct raster *r, struct edges *e);
 uint32_t spans_grey8_lengths(struct raster *r, struct edges *e); /* Duff's: setup->length */
+uint32_t spans_grey8_normals(struct raster *r, struct edges *e); /* Phong's, between normals at most 90 degrees apart */
 uint32_t spans_rgb888_constant(struct raster *r, struct edges *e, uint32_t colour);
 uint32_t spans_rgb888_colours(struct raster *r, struct edges *e);
 uint32_t spans_rgb888_dots(struct raster *r, struct edges *e);

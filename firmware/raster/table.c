@@ -109,11 +109,25 @@ void table_clear(struct raster *r)
 void table_find(struct raster *r)
 {
     r->surface_table = 0;
-    if (r->surface_material >= r->tables || raster_dithers(r) || !surface_lights(&r->surface) ||
-        raster_effects(r) || (!raster_is(r, GLINT_RGB565) && surface_form(&r->surface)))
+    if (r->surface_material >= r->tables || raster_dithers(r) || !surface_lights(&r->surface) || raster_effects(r) ||
+        (!raster_is(r, GLINT_RGB565) && surface_form(&r->surface)))
         return;
     struct table *table = table_at(r, r->surface_material);
     if (!made_for(table, &r->surface))
         make(r, table);
     r->surface_table = table;
+}
+
+uint16_t table_error(const struct raster *r)
+{
+    const struct surface *s = &r->surface;
+    const unsigned colours = raster_is(r, GLINT_RGB565), down = s->power->octave + (colours ? 8u : TABLE_BITS + 1u);
+    uint32_t most = 0;
+    for (unsigned c = 0; r->surface_table && c < surface_channels(s); c++) {
+        const uint32_t top = r->palette.top[c]; /* at most 255 * 2^8 each, n < 2^10: below 2^26 */
+        const uint32_t error = (colours ? 3u * s->light[0].diffuse[c] / top : 0) +
+                               ((255u * s->light[0].specular[c] / top * s->power->exponent) >> down) + 1;
+        most = error > most ? error : most;
+    }
+    return (uint16_t)(most < 65535 ? most : 65535);
 }

@@ -136,11 +136,11 @@ static inline __attribute__((always_inline)) void sample(const struct shade_inpu
 }
 
 /* Whether the triangle is drawn straight into 8-bit grey (raster/bump_grey.c). */
-static int is_straight(const struct shade_setup *setup, const struct shade_input *in)
+static int is_straight(const struct shade_setup *setup, const struct shade_input *in, int quadratic)
 {
     const struct surface *s = in->surface;
-    return surface_fold(s) && surface_lights(s) == 1 && in->grey_table && !setup->plane.sliver && !setup->plane.slim &&
-           setup->uv_kind == GLINT_TEXTURE_AFFINE && !(s->bump.flags & (TEXTURE_CLAMP_U | TEXTURE_CLAMP_V));
+    return surface_fold(s) && surface_lights(s) == 1 && in->grey_table && !setup->plane.sliver &&
+           !(quadratic && setup->plane.slim) && setup->uv_kind == GLINT_TEXTURE_AFFINE && !s->bump.flags;
 }
 
 /* For that, L' times the material's diffuse light, and x and y of L' and H' times the map's steepness; Q15 factors. */
@@ -190,6 +190,24 @@ static int32_t square_bulges(const int16_t (*corner)[3], int32_t bulge[3])
     return most;
 }
 
+void bump_bends(const struct shade_input *in, uint16_t bend[SCENE_MAX_LIGHTS][2][3])
+{
+    struct corners corners;
+    find_corners(in, &corners);
+    for (unsigned i = 0; i < surface_lights(in->surface); i++) {
+        struct samples samples;
+        int32_t difference[3]; /* 4 k */
+        sample(in, &corners, i, 0, BUMP_AVERAGE, &samples);
+        for (int which = 0; which < 2; which++) {
+            square_bulges((const int16_t(*)[3])samples.corner[which], difference);
+            for (int k = 0; k < 3; k++) { /* a rounding of the corners more */
+                const uint32_t rounded = ((uint32_t)difference[k] >> 14) + 4;
+                bend[i][which][k] = (uint16_t)(rounded < 65535 ? rounded : 65535);
+            }
+        }
+    }
+}
+
 /* 1 less the square: for a table of reciprocal lengths. */
 static void square_channel(struct shade_setup *setup, const struct shade_input *in, int32_t bulge[3],
                            struct channel *out)
@@ -213,7 +231,7 @@ static inline __attribute__((always_inline)) void setup_lights(struct shade_setu
     if (quadratic)
         plane_setup_quadratic(&setup->plane);
     setup->quadratic = (uint8_t)quadratic;
-    setup->in_steps = (uint8_t)is_straight(setup, in);
+    setup->in_steps = (uint8_t)is_straight(setup, in, quadratic);
     for (unsigned i = 0; i < surface_lights(s); i++) {
         struct samples samples;
         struct channel *channel = setup->bump + BUMP_CHANNELS * i;
@@ -273,7 +291,7 @@ void shade_bump_normalised(struct shade_setup *setup, const struct shade_input *
         sample(in, &corners, i, 0, BUMP_AVERAGE, &samples);
         setup->diffuse_lights |= (uint8_t)(1u << i);
         setup->specular_lights |= (uint8_t)((count == 2) << i);
-        if (!perspective && is_straight(setup, in)) { /* there is one light */
+        if (!perspective && is_straight(setup, in, 1)) { /* there is one light */
             for (int which = 0; which < count; which++) {
                 const int32_t largest = square_bulges((const int16_t(*)[3])samples.corner[which], bulge[which]);
                 most = largest > most ? largest : most;
@@ -288,7 +306,7 @@ void shade_bump_normalised(struct shade_setup *setup, const struct shade_input *
             const int16_t(*corner)[3] = (const int16_t(*)[3])samples.corner[which];
             const int16_t *const ends[3] = {corner[0], corner[1], corner[2]};
             if (perspective)
-                piece_vectors_perspective(setup, in, perspective, ends, 0, channel);
+                piece_vectors_perspective(setup, in, perspective, ends, channel);
             else
                 piece_vectors(setup, in, ends, channel);
         }

@@ -55,17 +55,6 @@ void dots_bulges(const int32_t corner[3], const int32_t middle[3], const struct 
     }
 }
 
-/* A third of the largest bulge, rounded up, in Q14; 2 for the roundings of bulges and corner values. */
-static int32_t bend_of(const int32_t bulge[3])
-{
-    int32_t most = 0;
-    for (int k = 0; k < 3; k++) {
-        int32_t size = bulge[k] < 0 ? -bulge[k] : bulge[k];
-        most = size > most ? size : most;
-    }
-    return (int32_t)((((uint32_t)most >> 14) * 11) >> 5) + 2;
-}
-
 /* x times a factor in Q16. */
 static int32_t stretched(int32_t x, uint32_t factor)
 {
@@ -123,7 +112,8 @@ void dots_setup(struct shade_setup *setup, const struct shade_input *in, const s
     plane_setup_quadratic(&setup->plane);
     const struct glint_power *const form = surface_form(s);
     const int folds = form && form->fold && factors->are_dots && !perspective && !in->tabled;
-    for (unsigned i = surface_lights(s); i--;) { /* the first last: is it alone? */
+    for (unsigned left = surface_lights(s); left > 0; left--) { /* the first last: is it alone? */
+        const unsigned i = left - 1;
         struct dots_samples samples;
         uint8_t *const shown[2] = {&setup->diffuse_lights, &setup->specular_lights};
         dots_sample(in, i, &samples);
@@ -134,7 +124,7 @@ void dots_setup(struct shade_setup *setup, const struct shade_input *in, const s
             dots_bulges(samples.corner[which], samples.middle[which], factors, bulge);
             range.low = range.low < 0 ? stretched(range.low, factors->stretch) : range.low;
             range.high = stretched(range.high, factors->stretch);
-            int32_t bend = stretched(bend_of(bulge), factors->stretch);
+            int32_t bend = stretched(dots_bulge_bend(bulge), factors->stretch);
             bend = bend < MOST_BEND ? bend : MOST_BEND;
             if (!dots_show(setup, in, i, which, range, bend, form != 0, &error))
                 continue;

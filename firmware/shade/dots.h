@@ -41,6 +41,18 @@ void dots_sample(const struct shade_input *in, unsigned light, struct dots_sampl
 /* Bulges in Q28 of samples. */
 void dots_bulges(const int32_t corner[3], const int32_t middle[3], const struct dots_factors *factors, int32_t out[3]);
 
+/* How far a value leaves the linear one, Q14: a third of the largest bulge, rounded up; 2 for the roundings of bulges
+ * and corner values. */
+static inline int32_t dots_bulge_bend(const int32_t bulge[3])
+{
+    int32_t most = 0;
+    for (int k = 0; k < 3; k++) {
+        int32_t size = bulge[k] < 0 ? -bulge[k] : bulge[k];
+        most = size > most ? size : most;
+    }
+    return (int32_t)((((uint32_t)most >> 14) * 11) >> 5) + 2;
+}
+
 /* A quadratic channel of values in Q14 and bulges in Q28, by the cheapest way that holds them. */
 void dots_quadratic(struct shade_setup *setup, const int32_t value[3], const int32_t bulge[3], struct channel *channel);
 
@@ -53,12 +65,13 @@ static inline uint32_t dots_highlight_slack(const struct surface *s, unsigned li
     return surface_diffuse(change, s->light[light].specular_most) >> 7;
 }
 
-/* N.H's place in the power's table beyond [-2, 2), for loops whose clamps are by sign (raster/spans.h); 256 for the
- * roundings. */
+/* N.H, or it over the length of a normal of .8 at least, has its place in the power's table beyond [-2, 2), for loops
+ * whose clamps are by sign (raster/spans.h); 256 for the roundings. */
 static inline int dots_wide(const struct fx_power *power, struct bounds range, int32_t bend)
 {
     const int32_t floor = bounds_power_floor(power), most = (32768 - 256) >> power->octave;
-    return floor - range.low + bend > most || range.high + bend - floor > most;
+    const int32_t low = range.low - bend;
+    return floor - low - (low < 0 ? low >> 2 : 0) > most || range.high + bend - floor > most;
 }
 
 /* N.H less the foot of the power may pass -2 in Q30. */
@@ -103,5 +116,12 @@ static inline uint32_t dots_limit(const struct shade_setup *setup, const struct 
  * `perspective` is not null. */
 void dots_setup(struct shade_setup *setup, const struct shade_input *in, const struct dots_factors *factors,
                 const struct perspective *perspective);
+
+/* Of duff.c, once the plane is set up for quadratics: whether a triangle that one light reaches can be drawn straight
+ * into the band (raster/spans.h), where the squared length as its difference from 1 fits plane_quadratic() and a table
+ * of reciprocal lengths holds what is below 1/4; and SHADE_SQUARE's channel, of 1 - |N|^2 with setup->length, else
+ * |N|^2. */
+int duff_direct(const struct shade_setup *setup, const struct shade_input *in);
+void duff_square(struct shade_setup *setup, const struct shade_input *in);
 
 #endif

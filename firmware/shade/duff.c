@@ -7,39 +7,49 @@
 #include "shade/dots.h"
 #include "shade/piece.h"
 
+int duff_direct(const struct shade_setup *setup, const struct shade_input *in)
+{
+    const uint16_t *bend = in->triangle->bend;
+    return surface_fold(in->surface) && !object_local(in->object) && bend[0] <= SHADE_LENGTH_BEND &&
+           bend[1] <= SHADE_LENGTH_BEND && bend[2] <= SHADE_LENGTH_BEND && !setup->plane.slim;
+}
+
+void duff_square(struct shade_setup *setup, const struct shade_input *in)
+{
+    int32_t value[3], bulge[3];
+    for (int k = 0; k < 3; k++) {
+        value[k] = Q14(1, 1);
+        bulge[k] = (int32_t)((uint32_t)dots_bend(in, k) << 14); /* 4 bend in Q28: below 2^30 */
+    }
+    if (shade_weight(in))
+        piece_quadratic(shade_weight(in), value, bulge);
+    if (!setup->length) {
+        plane_quadratic_large(&setup->plane, value, bulge, &setup->channel[SHADE_SQUARE]);
+        return;
+    }
+    for (int k = 0; k < 3; k++) {
+        bulge[k] = -bulge[k];
+        value[k] = Q14(1, 1) - value[k];
+    }
+    plane_quadratic(&setup->plane, value, bulge, &setup->channel[SHADE_SQUARE]);
+}
+
 void shade_duff(struct shade_setup *setup, const struct shade_input *in)
 {
     struct dots_factors factors;
-    int32_t value[3], bulge[3];
     uint32_t most = 0;
     for (int k = 0; k < 3; k++) {
         const uint32_t bend = dots_bend(in, k);
         factors.edge[k] = 1u << 16;
-        value[k] = Q14(1, 1);
-        bulge[k] = (int32_t)(bend << 14); /* 4 bend in Q28: below 2^30 */
         most = bend > most ? bend : most;
     }
-    /* Straight into the band (raster/spans.h): the squared length as its difference from 1 fits plane_quadratic(), and
-     * a table of reciprocal lengths what is below 1/4. */
     plane_setup_quadratic(&setup->plane);
-    setup->length =
-        surface_fold(in->surface) && !object_local(in->object) && most <= SHADE_LENGTH_BEND && !setup->plane.slim;
     /* sum li lj <= 1/3: the normal's squared length is at least 1 - 4/3 of the largest bend */
     most += (most + 2) * 43691u >> 17; /* a third, rounded up */
     factors.stretch = dots_length_factor(most < 65536 ? most : 65536);
     factors.are_dots = 0;
-    factors.folds = setup->length;
+    factors.folds = duff_direct(setup, in);
     dots_setup(setup, in, &factors, 0);
-    setup->length &= (uint8_t)shade_alone(setup);
-    if (shade_weight(in))
-        piece_quadratic(shade_weight(in), value, bulge);
-    if (setup->length) {
-        for (int k = 0; k < 3; k++) {
-            bulge[k] = -bulge[k];
-            value[k] = Q14(1, 1) - value[k];
-        }
-        plane_quadratic(&setup->plane, value, bulge, &setup->channel[SHADE_SQUARE]);
-        return;
-    }
-    plane_quadratic_large(&setup->plane, value, bulge, &setup->channel[SHADE_SQUARE]);
+    setup->length = (uint8_t)(factors.folds && shade_alone(setup));
+    duff_square(setup, in);
 }

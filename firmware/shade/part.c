@@ -275,6 +275,41 @@ int part_linear(struct shade_setup *setup, const struct shade_input *in, const s
     return 1;
 }
 
+static uint32_t shifted_down(uint32_t x, int down)
+{
+    return (uint32_t)((int32_t)x >> down);
+}
+
+static void scale_down(struct polynomial *p, int down)
+{
+    p->f = shifted_down(p->f, down);
+    p->d = shifted_down(p->d, down);
+    p->e = shifted_down(p->e, down);
+    p->a = shifted_down(p->a, down);
+    p->b = shifted_down(p->b, down);
+    p->c = shifted_down(p->c, down);
+}
+
+int part_channel(const struct shade_setup *setup, const struct shade_input *in,
+                 const struct part_corner *const corner[3], const int32_t value[3], const int32_t bulge[3], int up,
+                 struct channel *channel)
+{
+    struct frame frame;
+    if (!frame_setup(&frame, &setup->plane, in, corner))
+        return 0;
+    plane_setup_quadratic(&frame.plane);
+    if (frame.height < 32 || frame.plane.up - 2 * frame.plane.scale > MOST_UP_QUADRATIC)
+        return 0;
+    frame.plane.thin = 0;
+    plane_quadratic(&frame.plane, value, bulge, channel);
+    if (up >= 0)
+        scale_up(&channel->p, up);
+    else
+        scale_down(&channel->p, -up); /* here, where all of it fits 32 bits: from the set-up's origin it need not */
+    move(&frame, &channel->p);
+    return 1;
+}
+
 static int32_t rounded(uint16_t colour, int lost)
 {
     return (colour + (1 << (lost - 1))) >> lost;

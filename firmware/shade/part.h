@@ -38,6 +38,15 @@ int32_t part_height(const struct part_place p[3]);
 int part_linear(struct shade_setup *setup, const struct shade_input *in, const struct part_corner *const corner[3],
                 int fine);
 
+/*
+ * A quadratic of any kind over the part of three corners: values in Q14 and bulges in Q28 as plane_quadratic() takes
+ * them, the channel's times 2^up modulo 2^32 (up >= -8). Returns 0, and leaves it, where the part is lower than 2
+ * pixels or too thin.
+ */
+int part_channel(const struct shade_setup *setup, const struct shade_input *in,
+                 const struct part_corner *const corner[3], const int32_t value[3], const int32_t bulge[3], int up,
+                 struct channel *channel);
+
 /* The quadratic through corners and middles of the edges 0-1, 1-2, 2-0 of finished colours, Q22 steps ("Quadratic
  * Interpolation in Hardware Rendering", section 3). Returns 0, and leaves them, where the part is too thin for one. */
 int part_quadratic(struct shade_setup *setup, const struct shade_input *in, const struct part_corner *const corner[3],

@@ -20,24 +20,13 @@ void shade_constant(struct shade_setup *setup, const struct shade_input *in)
         setup->flat[c] = setup->flat[c] < s->top[c] ? setup->flat[c] : s->top[c];
 }
 
-/* Half of the largest bulge, Q14: more than a third of it, which the quadratic leaves the linear value by at most. */
-static int32_t bend_of(const int32_t bulge[3])
-{
-    int32_t most = 0;
-    for (int k = 0; k < 3; k++) {
-        const int32_t size = bulge[k] < 0 ? -bulge[k] : bulge[k];
-        most = size > most ? size : most;
-    }
-    return (most >> 15) + 2;
-}
-
 /*
  * One dot product: linear, or where `factors` is not null quadratic, factors[k] being the length factor of edge k less
  * 1, Q16: its bulge is -2 (Ii + Ij) times that. |Ii + Ij| <= 2^15, factors at most 2^14.8 at 90 degrees: below 2^30, in
  * Q14 + 16 + 1 - 3 = Q28. Of a clipped piece the linear value at its corners is the source's.
  */
 static inline __attribute__((always_inline)) void interpolate(struct shade_setup *setup, const struct shade_input *in,
-                                                              unsigned index, const int32_t *factors)
+                                                              unsigned index, const int32_t *factors, int folds)
 {
     const struct surface *s = in->surface;
     struct channel *channel = &setup->channel[index];
@@ -48,19 +37,16 @@ static inline __attribute__((always_inline)) void interpolate(struct shade_setup
         bulge[0] = -((value[0] + value[1]) * factors[0]) >> 1;
         bulge[1] = -((value[1] + value[2]) * factors[1]) >> 1;
         bulge[2] = -((value[2] + value[0]) * factors[2]) >> 1;
-        bend = bend_of(bulge);
+        bend = dots_bulge_bend(bulge);
     }
     if (shade_weight(in))
         piece_quadratic(shade_weight(in), value, bulge);
     if (index & 1) {
-        const int32_t foot = bounds_power_floor(s->power);
-        setup->wide |= (uint8_t)dots_wide(s->power, range, bend);
-        setup->runs_only |= (uint8_t)(range.low - bend - foot < -32768 + 256); /* it may pass -2 in Q30 */
-    } else if (steps_apply(setup, s)) {
-        steps_fold(s, value);
-        steps_fold_bulges(s, bulge);
-        setup->in_steps = 1;
-        setup->plain = (uint8_t)steps_plain(s, range, bend);
+        setup->runs_only |= (uint8_t)dots_deep(s->power, range, bend);
+        if (USES(USES_FORMATS & ~USES_GREY4))
+            setup->wide |= (uint8_t)dots_wide(s->power, range, bend);
+    } else if (folds) {
+        steps_take(setup, s, range, bend, value, factors ? bulge : 0);
     }
     if (factors)
         dots_quadratic(setup, value, bulge, channel);
@@ -69,14 +55,16 @@ static inline __attribute__((always_inline)) void interpolate(struct shade_setup
     setup->runs_only |= (uint8_t)(channel->exact != 0);
 }
 
-static void linear(struct shade_setup *setup, const struct shade_input *in, unsigned index)
+static __attribute__((noinline)) void linear(struct shade_setup *setup, const struct shade_input *in, unsigned index,
+                                             int folds)
 {
-    interpolate(setup, in, index, 0);
+    interpolate(setup, in, index, 0, folds);
 }
 
-static void quadratic(struct shade_setup *setup, const struct shade_input *in, unsigned index, const int32_t factors[3])
+static __attribute__((noinline)) void quadratic(struct shade_setup *setup, const struct shade_input *in, unsigned index,
+                                                const int32_t factors[3], int folds)
 {
-    interpolate(setup, in, index, factors);
+    interpolate(setup, in, index, factors, folds);
 }
 
 void shade_planned(struct shade_setup *setup, const struct shade_input *in)
@@ -87,6 +75,7 @@ void shade_planned(struct shade_setup *setup, const struct shade_input *in)
     setup->runs_only = setup->depth.exact != 0;
     setup->diffuse_lights = plan->diffuse;
     setup->specular_lights = plan->specular;
+    const int folds = steps_apply(setup, in->surface);
     setup->quadratic = plan->rung == PLAN_SIX;
     if (setup->quadratic) {
         plane_setup_quadratic(&setup->plane);
@@ -95,12 +84,30 @@ void shade_planned(struct shade_setup *setup, const struct shade_input *in)
     }
     for (unsigned i = 0; i < lights; i++) {
         if (plan->diffuse_bent >> i & 1)
-            quadratic(setup, in, 2 * i, factors);
+            quadratic(setup, in, 2 * i, factors, folds);
         else if (plan->diffuse >> i & 1)
-            linear(setup, in, 2 * i);
+            linear(setup, in, 2 * i, folds);
         if (plan->specular_bent >> i & 1)
-            quadratic(setup, in, 2 * i + 1, factors);
+            quadratic(setup, in, 2 * i + 1, factors, folds);
         else if (plan->specular >> i & 1)
-            linear(setup, in, 2 * i + 1);
+            linear(setup, in, 2 * i + 1, folds);
     }
+}
+
+/* Duff's, whose numerators are linear under far lights. */
+void shade_planned_duff(struct shade_setup *setup, const struct shade_input *in)
+{
+    const unsigned lights = surface_lights(in->surface);
+    setup->runs_only = setup->depth.exact != 0;
+    setup->diffuse_lights = in->plan.diffuse;
+    setup->specular_lights = in->plan.specular;
+    plane_setup_quadratic(&setup->plane);
+    setup->length = (uint8_t)(duff_direct(setup, in) && shade_alone(setup));
+    for (unsigned i = 0; i < lights; i++) {
+        if (in->plan.diffuse >> i & 1)
+            linear(setup, in, 2 * i, setup->length);
+        if (in->plan.specular >> i & 1)
+            linear(setup, in, 2 * i + 1, setup->length);
+    }
+    duff_square(setup, in);
 }

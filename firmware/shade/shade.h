@@ -12,7 +12,8 @@ struct clipped_triangle {
     uint16_t source; /* the mesh's triangle */
     uint16_t reserved;
     int16_t place[3][3];   /* x, y, depth as in a vertex record */
-    uint16_t weight[3][3]; /* of each corner: barycentric in the source triangle, Q15, sums to 32768 */
+    uint16_t weight[3][2]; /* of each corner: barycentric in the source triangle, Q15, the third what is left to 1 */
+    int8_t finer[3][2];    /* what they were rounded by, Q23 */
 };
 
 /* A finished colour, and the material's number where it is kept behind a vertex record's lights. */
@@ -39,6 +40,7 @@ struct shade_input {
     int16_t *lights[3];                    /* N.L and N.H, Q14, of the source triangle's corners, in the same turn */
     const struct scene_triangle *triangle; /* the source; its edges stand in `bend` as 2, 1, 0 */
     const struct scene_vertex *vertices;   /* of its mesh */
+    const struct clipped_triangle *piece;  /* null: the corners are the source's */
     const uint16_t (*weight)[3];           /* null: the corners are the source's */
     const int16_t (*uvs)[2];               /* of its mesh, Q12; null: none */
     const struct scene_tangent *tangents;  /* likewise; for bump maps */
@@ -139,11 +141,9 @@ struct shade_setup {
             uint8_t uv_kind;   /* enum glint_texture of `uv` */
         };
     };
-    struct channel uv[USES(USES_TEXTURE | USES_BUMP) ? 2 : 1]; /* texture coordinates: shade/uv.h */
-    uint8_t uv_up;                                             /* of perspective ones: how far closeness is moved up */
     struct plane plane;
-    struct channel depth; /* the first channel of those in a row: raster/spans_thumb.c */
-    union {
+    struct channel depth;
+    union { /* behind the depth: raster/spans_thumb.c reads them one after the other */
         struct channel channel[SHADE_MAX_CHANNELS];
         struct channel bump[SHADE_BUMP_CHANNELS];
         struct {
@@ -155,8 +155,10 @@ struct shade_setup {
             struct part_split split[PART_DEPTH + 1]; /* a stack, the part in hand on top */
         } parts;
     };
-    uint32_t flat[3];   /* flat: the finished colour, Q15 steps */
-    struct channel fog; /* its part where that is linear, Q14 */
+    uint32_t flat[3];                                          /* flat: the finished colour, Q15 steps */
+    struct channel fog;                                        /* its part where that is linear, Q14 */
+    struct channel uv[USES(USES_TEXTURE | USES_BUMP) ? 2 : 1]; /* texture coordinates: shade/uv.h */
+    uint8_t uv_up;                                             /* of perspective ones: how far closeness is moved up */
 };
 
 /* Whether no light but the first shows: the triangle is then drawn as under one light. Once the others are set up. */
@@ -175,6 +177,7 @@ static inline unsigned shade_specular(const struct shade_setup *setup)
 void shade_flat(struct shade_setup *setup, const struct shade_input *in);
 void shade_gouraud(struct shade_setup *setup, const struct shade_input *in);
 void shade_planned(struct shade_setup *setup, const struct shade_input *in); /* linear and six, as in->plan says */
+void shade_planned_duff(struct shade_setup *setup, const struct shade_input *in);
 void shade_constant(struct shade_setup *setup, const struct shade_input *in);
 void shade_x(struct shade_setup *setup, const struct shade_input *in);
 void shade_x_perspective(struct shade_setup *setup, const struct shade_input *in);

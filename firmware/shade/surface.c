@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "shade/surface.h"
 
+#include "plan/curve.h"
+#include "shade/shade.h"
+
 /* Product of two Q15 numbers of at most 1, rounded. */
 static uint32_t times(uint32_t a, uint32_t b)
 {
@@ -87,6 +90,20 @@ FX_COLD static void take_texture(struct surface_texture *texture, const struct s
     weigh(material->diffuse, texture->grey);
 }
 
+/* Of ambient and diffuse light together, in the channel that has most: Q8, rounded up. */
+FX_COLD static uint32_t most_light(const struct surface *s, const struct palette *palette)
+{
+    uint32_t most = 0;
+    for (unsigned c = 0; c < s->channels; c++) {
+        uint32_t sum = s->base[c] >> 7; /* Q8 steps, at most 9 * 255 * 2^8 */
+        for (unsigned i = 0; i < s->lights; i++)
+            sum += s->light[i].diffuse[c];
+        sum = (sum + palette->top[c]) / palette->top[c];
+        most = sum > most ? sum : most;
+    }
+    return most;
+}
+
 FX_COLD void surface_setup(struct surface *surface, const struct scene_header *scene,
                            const struct scene_material *material, const struct palette *palette)
 {
@@ -115,6 +132,8 @@ FX_COLD void surface_setup(struct surface *surface, const struct scene_header *s
             reflected(palette, material->specular, material->ks, light[i].colour, surface->light[i].specular);
         surface->highlights |= surface->light[i].specular_most != 0;
     }
+    if (USES(USES_TEXTURE) && surface->texture.texels)
+        surface->texture.lit = most_light(surface, palette);
     surface->fold = surface->ambient = 0;
     if (USES(USES_GREY8) && palette->channels == 1 && palette->top[0] == 255 && surface->lights &&
         !surface_form(surface)) {
@@ -151,6 +170,8 @@ FX_COLD void surface_plan(struct surface *surface, const struct palette *palette
     plan->power = surface->power;
     plan->lights = surface->lights;
     plan->highlights = surface->highlights;
+    /* beyond it, where Phong goes straight into the band, Duff goes by runs */
+    plan->duff_bend = surface_fold(surface) && surface->lights == 1 ? SHADE_LENGTH_BEND : CURVE_MOST_BEND;
     plan->foot = (int16_t)((1 << 14) - ((1 << 14) >> surface->power->octave));
     for (unsigned c = 0; c < surface->channels; c++) {
         const uint32_t ambient = in_255(surface->base[c] >> 7, palette->top[c]);
@@ -170,6 +191,15 @@ FX_COLD void surface_plan(struct surface *surface, const struct palette *palette
     }
     /* Roundings may take as much as 1 beyond the budget; the rest is the budget's. */
     const uint32_t rough = roughness(plan), excess = rough > ROUNDINGS ? rough - ROUNDINGS : 0;
+    plan->apart = USES(USES_TEXTURE) && surface->texture.texels;
+    if (plan->apart)
+        budget = (uint16_t)(budget - PLAN_TEXTURE_SHARE(budget));
+    plan->spare = (uint16_t)(rough < ROUNDINGS ? ROUNDINGS - rough : 0);
+    /* shade/dots.h: 1 / |N| straight into the band is off by 1/5250 */
+    plan->lengths = surface_fold(surface)
+                        ? (uint16_t)(((plan->light[0].specular * plan->power->exponent >> 4) * 13 >> 12) +
+                                     (plan->light[0].diffuse >> 12) + 1)
+                        : 0;
     plan->sharp = excess > budget;
     plan->budget = (uint16_t)(plan->sharp ? 0 : budget - excess);
 }

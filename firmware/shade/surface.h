@@ -29,6 +29,7 @@ struct surface_texture {
     const void *texels; /* null: none */
     const uint32_t *palette;
     const struct scene_texture *head;
+    uint32_t lit;     /* the most light that it can be under, Q8 of full intensity, rounded up */
     uint16_t grey[3]; /* what red, green and blue of a texel count in a grey picture, Q8, of sum 1 */
 };
 

@@ -43,33 +43,58 @@ static void quadratic(struct shade_setup *setup, const struct uv_corners *uv)
     }
 }
 
+static uint32_t range_of(const int32_t value[3])
+{
+    int32_t low = value[0], high = value[0];
+    for (int k = 1; k < 3; k++) {
+        low = value[k] < low ? value[k] : low;
+        high = value[k] > high ? value[k] : high;
+    }
+    return (uint32_t)((int64_t)high - low);
+}
+
+struct texture_spread uv_spread(const struct uv_corners *uv, const struct surface_texture *texture)
+{
+    const uint32_t d[2] = {range_of(uv->value[0]), range_of(uv->value[1])};
+    const int32_t s[3] = {uv->s[0], uv->s[1], uv->s[2]};
+    int32_t least = s[0], most = s[0];
+    for (int k = 1; k < 3; k++) {
+        least = s[k] < least ? s[k] : least;
+        most = s[k] > most ? s[k] : most;
+    }
+    const int32_t ratio = uv_ratio((uint32_t)most, (uint32_t)least) >> 15;
+    return texture_spread(texture->head, d, uv->distant ? 0 : ratio + 1, texture->lit);
+}
+
+void uv_setup_corners(struct shade_setup *setup, const struct uv_corners *uv, unsigned kind)
+{
+    if (uv->distant)
+        kind = GLINT_TEXTURE_AFFINE;
+    if (kind == GLINT_TEXTURE_QUADRATIC)
+        plane_setup_quadratic(&setup->plane);
+    if (kind != GLINT_TEXTURE_AFFINE && (kind != GLINT_TEXTURE_QUADRATIC || setup->plane.thin))
+        kind = GLINT_TEXTURE_PERSPECTIVE;
+    setup->uv_kind = (uint8_t)kind;
+    setup->uv_up = uv->up;
+    if (kind == GLINT_TEXTURE_QUADRATIC) {
+        quadratic(setup, uv);
+        return;
+    }
+    for (int axis = 0; axis < 2; axis++) {
+        int32_t value[3];
+        for (int k = 0; k < 3; k++) { /* Q12; |v| <= 2^15, s < 2^16 */
+            value[k] = uv->value[axis][k] >> 16;
+            value[k] *= kind == GLINT_TEXTURE_PERSPECTIVE ? uv->s[k] : 1;
+        }
+        (kind == GLINT_TEXTURE_PERSPECTIVE ? plane_linear_wide : plane_linear)(&setup->plane, value, &setup->uv[axis]);
+    }
+}
+
 void uv_setup(struct shade_setup *setup, const struct shade_input *in, unsigned kind)
 {
     struct uv_corners uv;
     if (setup->uv_kind)
         return;
     uv_corners(&uv, in);
-    if (kind == GLINT_TEXTURE_QUADRATIC)
-        plane_setup_quadratic(&setup->plane);
-    if (uv.distant)
-        kind = GLINT_TEXTURE_AFFINE;
-    else if (kind == GLINT_TEXTURE_SPLIT || (kind == GLINT_TEXTURE_QUADRATIC && setup->plane.thin))
-        kind = GLINT_TEXTURE_PERSPECTIVE;
-    setup->uv_kind = (uint8_t)kind;
-    setup->uv_up = uv.up;
-    if (kind == GLINT_TEXTURE_QUADRATIC) {
-        quadratic(setup, &uv);
-        return;
-    }
-    for (int axis = 0; axis < 2; axis++) {
-        int32_t value[3];
-        for (int k = 0; k < 3; k++)
-            value[k] = uv.value[axis][k] >> 16;
-        for (int k = 0; k < 3 && kind == GLINT_TEXTURE_PERSPECTIVE; k++)
-            value[k] *= uv.s[k]; /* |v| <= 2^15, s < 2^16 */
-        if (kind == GLINT_TEXTURE_PERSPECTIVE)
-            plane_linear_wide(&setup->plane, value, &setup->uv[axis]);
-        else
-            plane_linear(&setup->plane, value, &setup->uv[axis]);
-    }
+    uv_setup_corners(setup, &uv, kind);
 }

@@ -19,6 +19,7 @@
 #define GLINT_UV_H
 
 #include "glint.h"
+#include "plan/texture.h"
 #include "shade/perspective.h"
 
 /* Of the input's corners: Q28, and the si in Q16 by a common factor, the largest at least 2^15. */
@@ -31,6 +32,9 @@ struct uv_corners {
 
 void uv_corners(struct uv_corners *uv, const struct shade_input *in);
 
+/* What the corners' coordinates span, of the surface's texture. */
+struct texture_spread uv_spread(const struct uv_corners *uv, const struct surface_texture *texture);
+
 /* (si - sj) / (si + sj) in Q30. */
 int32_t uv_ratio(uint32_t si, uint32_t sj);
 
@@ -42,8 +46,11 @@ static inline int32_t uv_bulge(int64_t difference, int32_t ratio)
            ((difference * ratio) >> 31); /* 2^32 * 2^30; at most 2^31 by a little, where it wraps: 16 turns */
 }
 
-/* Fills setup->uv, and setup->uv_kind with a kind that uv_values() knows: `split` becomes perspective, quadratic
- * becomes that on triangles too thin for one, and any kind affine where that is true. Idle where it has been done. */
+/* Fills setup->uv and setup->uv_kind. A triangle at one distance becomes affine, whatever is asked for; one that is too
+ * thin for a quadratic, and what is left of `split` and of the default, perspective. */
+void uv_setup_corners(struct shade_setup *setup, const struct uv_corners *uv, unsigned kind);
+
+/* The same from the input; idle where it has been done. */
 void uv_setup(struct shade_setup *setup, const struct shade_input *in, unsigned kind);
 
 #endif

@@ -6,9 +6,12 @@
 #include "host/sink.h"
 #include "report/angle.h"
 #include "report/boards.h"
+#include "report/choices.h"
+#include "report/effects.h"
 #include "report/page.h"
 #include "report/powers.h"
 #include "report/streams.h"
+#include "report/sweep.h"
 #include "scene/model.h"
 
 #include <errno.h>
@@ -28,23 +31,29 @@ static const char report_help[] =
     "FOLDER/report.csv, with --stream FOLDER/stream.csv too. `make report` counts the costs and calls this. gnuplot\n"
     "draws the plots.\n\n"
     "  -o, --output FOLDER  made if it is not there\n"
-    "      --costs FILE     cpu,scene,method,width,height,format,instructions: of a frame on m3 and on m0plus\n"
+    "      --costs FILE     cpu,scene,method,width,height,format,instructions,picture: of a frame on m3 and on m0plus\n"
     "      --flash FILE     cpu,method,bytes: of a program that draws by that method\n"
+    "      --budgets FILE   cpu,scene,budget_q8,instructions: of a frame by auto; with it the page shows what a "
+    "budget\n"
+    "                       buys, and FOLDER/sweep.csv is written\n"
     "      --powers FILE    cpu,scene,power,exponent,instructions: of a frame of the first scene by x; with it the\n"
     "                       page compares the forms of the highlight's power at exponents 5, 20, 50 and 200\n"
+    "      --effect SCENE   shows it by auto beside the truth, for a section of all scenes so given\n"
     "      --stream SCENE   measures the bytes of its pictures as a stream, for a section of all scenes so given\n"
     "      --packing FILE   cpu,scene,format,codec,pixels,bytes,instructions: of `make bench-stream`, for that "
     "section\n"
+    "      --choices FILE   choice,value,where,figure,number: of tests/choices; with it the page has their tables\n"
     "      --boards FILE    board,what,figure,unit,number: of `make bench-boards`; with it the page has their tables\n"
-    "      --methods A,B    some of `glint methods`; default all\n"
+    "      --methods A,B    some of `glint methods`; default those that the file of --flash has\n"
     "      --help\n";
 
-enum report_file { REPORT_PAGE, REPORT_TABLE, REPORT_STREAM, REPORT_FILES };
+enum report_file { REPORT_PAGE, REPORT_TABLE, REPORT_SWEEP, REPORT_STREAM, REPORT_FILES };
 
 struct report {
-    const char *folder, *boards_path;
-    const char **methods, **streams; /* streams: scenes' paths */
-    unsigned method_count, stream_count;
+    const char *folder, *boards_path, *choices_path;
+    const char **methods, **streams, **effects; /* the last two: scenes' paths */
+    unsigned method_count, stream_count, effect_count;
+    bool chosen;        /* methods, by --methods */
     struct costs costs; /* its paths are the options' */
     char *path[REPORT_FILES];
     struct sink sink[REPORT_FILES];
@@ -67,6 +76,7 @@ static const char *report_method(const struct report *report, const char *text, 
 static bool report_choose(struct report *report, const char *names)
 {
     report->method_count = 0;
+    report->chosen = true;
     for (;;) {
         size_t length = strcspn(names, ",");
         const char *method = report_method(report, names, length);
@@ -82,12 +92,19 @@ static bool report_choose(struct report *report, const char *names)
 /* Exit code, or -1 to go on. */
 static int report_parse(struct report *report, int argc, char **argv)
 {
-    static const struct option long_options[] = {
-        {"output", required_argument, NULL, 'o'}, {"costs", required_argument, NULL, 'c'},
-        {"flash", required_argument, NULL, 'f'},  {"methods", required_argument, NULL, 'm'},
-        {"powers", required_argument, NULL, 'p'}, {"boards", required_argument, NULL, 'b'},
-        {"stream", required_argument, NULL, 's'}, {"packing", required_argument, NULL, 'k'},
-        {"help", no_argument, NULL, 'h'},         {0}};
+    static const struct option long_options[] = {{"output", required_argument, NULL, 'o'},
+                                                 {"costs", required_argument, NULL, 'c'},
+                                                 {"flash", required_argument, NULL, 'f'},
+                                                 {"methods", required_argument, NULL, 'm'},
+                                                 {"powers", required_argument, NULL, 'p'},
+                                                 {"boards", required_argument, NULL, 'b'},
+                                                 {"stream", required_argument, NULL, 's'},
+                                                 {"packing", required_argument, NULL, 'k'},
+                                                 {"effect", required_argument, NULL, 'e'},
+                                                 {"budgets", required_argument, NULL, 'g'},
+                                                 {"choices", required_argument, NULL, 'x'},
+                                                 {"help", no_argument, NULL, 'h'},
+                                                 {0}};
     int option;
     for (unsigned m = 0; m < glint_choice_count; m++)
         report->methods[report->method_count++] = glint_choices[m].name;
@@ -111,8 +128,17 @@ static int report_parse(struct report *report, int argc, char **argv)
         case 's':
             report->streams[report->stream_count++] = optarg;
             break;
+        case 'e':
+            report->effects[report->effect_count++] = optarg;
+            break;
         case 'k':
             report->costs.streams_path = optarg;
+            break;
+        case 'x':
+            report->choices_path = optarg;
+            break;
+        case 'g':
+            report->costs.budgets_path = optarg;
             break;
         case 'm':
             if (!report_choose(report, optarg))
@@ -132,9 +158,20 @@ static int report_parse(struct report *report, int argc, char **argv)
     return -1;
 }
 
-static unsigned report_files(const struct report *report)
+/* Without --methods: those that the file of --flash has. */
+static void report_default(struct report *report)
 {
-    return report->stream_count ? REPORT_FILES : REPORT_STREAM;
+    unsigned count = 0;
+    for (unsigned m = 0; !report->chosen && m < report->method_count; m++)
+        if (costs_find_flash(&report->costs, COSTS_M3, report->methods[m]))
+            report->methods[count++] = report->methods[m];
+    report->method_count = report->chosen ? report->method_count : count;
+}
+
+static bool report_wants(const struct report *report, enum report_file file)
+{
+    return file < REPORT_SWEEP ||
+           (file == REPORT_SWEEP ? report->costs.budgets_path != NULL : report->stream_count > 0);
 }
 
 static int report_problem(const char *path)
@@ -146,12 +183,14 @@ static int report_problem(const char *path)
 /* Opens its files; `made`: the folder was not there. */
 static int report_open(struct report *report, bool *made)
 {
-    static const char *const names[REPORT_FILES] = {"index.html", "report.csv", "stream.csv"};
+    static const char *const names[REPORT_FILES] = {"index.html", "report.csv", "sweep.csv", "stream.csv"};
     cli_catch_signals();
     *made = mkdir(report->folder, 0777) == 0;
     if (!*made && errno != EEXIST)
         return report_problem(report->folder);
-    for (unsigned i = 0; i < report_files(report); i++) {
+    for (unsigned i = 0; i < REPORT_FILES; i++) {
+        if (!report_wants(report, i))
+            continue;
         size_t size = strlen(report->folder) + strlen(names[i]) + 2;
         report->path[i] = model_alloc(size);
         snprintf(report->path[i], size, "%s/%s", report->folder, names[i]);
@@ -166,9 +205,15 @@ static int report_scenes(struct report *report, const char *const paths[], unsig
     FILE *page = report->sink[REPORT_PAGE].stream, *table = report->sink[REPORT_TABLE].stream;
     struct progress progress;
     int code = CLI_DONE;
-    page_begin(page, paths, count, report->costs.powers_path != NULL, report->stream_count > 0,
-               report->boards_path != NULL);
+    const struct page_sections sections = {.effects = report->effect_count > 0,
+                                           .power = report->costs.powers_path != NULL,
+                                           .choices = report->choices_path != NULL,
+                                           .streams = report->stream_count > 0,
+                                           .boards = report->boards_path != NULL};
+    page_begin(page, paths, count, &sections);
     page_csv_head(table);
+    if (report->costs.budgets_path)
+        sweep_csv_head(report->sink[REPORT_SWEEP].stream);
     progress_begin(&progress, false);
     for (unsigned i = 0; !code && i < count; i++) {
         struct survey survey;
@@ -179,16 +224,22 @@ static int report_scenes(struct report *report, const char *const paths[], unsig
             code = page_scene(page, &survey);
         if (!code)
             page_csv(table, &survey);
+        if (!code && report->costs.budgets_path)
+            sweep_csv(report->sink[REPORT_SWEEP].stream, &survey);
         survey_free(&survey);
         if (cli_interrupted())
             code = CLI_IO;
         progress_step(&progress, i + 1, count);
     }
     progress_end(&progress);
+    if (!code && report->effect_count)
+        code = effects_write(page, report->effects, report->effect_count);
     if (!code)
         code = angle_write(page);
     if (!code && report->costs.powers_path)
         code = powers_write(page, paths[0], &report->costs);
+    if (!code && report->choices_path)
+        code = choices_write(page, report->choices_path);
     if (!code && report->stream_count)
         code = streams_write(page, report->sink[REPORT_STREAM].stream, report->streams, report->stream_count,
                              &report->costs);
@@ -202,12 +253,13 @@ static int report_run(struct report *report, const char *const paths[], unsigned
 {
     bool made = false;
     int code = costs_read(&report->costs);
+    report_default(report);
     if (!code)
         code = report_open(report, &made);
     if (!code)
         code = report_scenes(report, paths, count);
-    for (unsigned i = report_files(report); i-- > 0;) /* the page last: it is never there without the tables */
-        if (sink_close(&report->sink[i], !code) != 0 && !code)
+    for (unsigned i = REPORT_FILES; i-- > 0;) /* the page last: it is never there without the tables */
+        if (report_wants(report, i) && sink_close(&report->sink[i], !code) != 0 && !code)
             code = report_problem(report->path[i]);
     if (code && made)
         rmdir(report->folder);
@@ -223,12 +275,14 @@ static int report_run(struct report *report, const char *const paths[], unsigned
 int cmd_report(int argc, char **argv)
 {
     struct report report = {.methods = model_alloc(glint_choice_count * sizeof *report.methods),
-                            .streams = model_alloc((size_t)argc * sizeof *report.streams)};
+                            .streams = model_alloc((size_t)argc * sizeof *report.streams),
+                            .effects = model_alloc((size_t)argc * sizeof *report.effects)};
     argv[0] = (char *)(uintptr_t)report_name;
     int code = report_parse(&report, argc, argv);
     if (code < 0)
         code = report_run(&report, (const char *const *)argv + optind, (unsigned)(argc - optind));
     free(report.methods);
     free(report.streams);
+    free(report.effects);
     return code;
 }

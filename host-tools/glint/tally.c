@@ -14,6 +14,10 @@ void tally_add(struct tally *tally, const struct glint_stats *stats)
     tally->clipped += stats->clipped;
     tally->dropped += stats->dropped;
     tally->setups += stats->setups;
+    tally->turned += stats->turned;
+    tally->fogged += stats->fogged;
+    tally->fogged_by_pixel += stats->fogged_by_pixel;
+    tally->fogged_wholly += stats->fogged_wholly;
     tally->highlight_tests += stats->highlight_tests;
     tally->potentially_highlighted += stats->potentially_highlighted;
     tally->specular_triangles += stats->specular_triangles;
@@ -99,7 +103,11 @@ void tally_print(const struct tally *tally, const struct renderer *renderer, boo
     tally_count("highlight_tests", tally->highlight_tests, "of triangles, where the method asks for them", json);
     tally_count("potentially_highlighted", tally->potentially_highlighted, "those that passed", json);
     tally_count("setups", tally->setups, "", json);
-    if (config->method == &glint_auto)
+    tally_count("turned", tally->turned, "of which the back is seen", json);
+    tally_count("fogged", tally->fogged, "drawn ones that some fog reaches", json);
+    tally_count("fogged_by_pixel", tally->fogged_by_pixel, "of them, those whose fog is found at each pixel", json);
+    tally_count("fogged_wholly", tally->fogged_wholly, "of them, those that are all fog: unlit", json);
+    if (config->method == &glint_auto || config->method == &glint_auto_shown)
         tally_plan(tally, config, json);
     printf(json ? "\"ms_per_frame\": %.3f}\n" : "ms_per_frame         %.3f  on this machine, without output\n", each);
 }

@@ -13,7 +13,7 @@ struct tally {
     double milliseconds;
     uint64_t triangles, culled, rejected, clipped, dropped, setups, specular_triangles, linear_triangles,
         highlight_tests, potentially_highlighted, hidden_lights, hidden_highlights, dropped_highlights, straightened,
-        undivided;
+        undivided, turned, fogged, fogged_by_pixel, fogged_wholly;
     uint16_t largest_error; /* of any frame */
     uint64_t drawn[GLINT_METHODS], pixels[GLINT_METHODS];
 };

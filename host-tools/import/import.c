@@ -8,6 +8,7 @@
 #include "import/importer.h"
 #include "import/limits.h"
 #include "import/normals.h"
+#include "scene/picture.h"
 
 #include <errno.h>
 #include <math.h>
@@ -87,6 +88,10 @@ static void send_model(FILE *out, const char *path, double crease)
         fwrite(&model.materials[i], sizeof model.materials[i], 1, out);
         fwrite(&length, sizeof length, 1, out);
         fwrite(model.materials[i].name, 1, length, out);
+        length = model.materials[i].picture ? strlen(model.materials[i].picture) : 0;
+        fwrite(&length, sizeof length, 1, out);
+        if (length)
+            fwrite(model.materials[i].picture, 1, length, out);
     }
     if (!reason) {
         fwrite(mesh->vertices, sizeof *mesh->vertices, mesh->vertex_count, out);
@@ -109,7 +114,12 @@ static bool receive(FILE *in, struct reply *reply, struct model *model, size_t i
         if (fread(&material, sizeof material, 1, in) != 1 || fread(&length, sizeof length, 1, in) != 1)
             return false;
         material.name = model_alloc(length + 1);
-        bool whole = fread(material.name, 1, length, in) == length;
+        material.picture = NULL;
+        bool whole = fread(material.name, 1, length, in) == length && fread(&length, sizeof length, 1, in) == 1;
+        if (whole && length) {
+            material.picture = model_alloc(length + 1);
+            whole = fread(material.picture, 1, length, in) == length;
+        }
         struct model_material *out = model_add_material(model, "");
         free(out->name);
         *out = material;
@@ -159,8 +169,30 @@ static FILE *start(const char *path, double crease, pid_t *child)
     return in;
 }
 
+/* Reads the pictures of the materials from `first` on, which are beside the model. What is no PNG that can be read, or
+ * not wanted, is left out: a warning says so, once for each. */
+static void read_pictures(const char *path, struct model *model, size_t first, bool has_uvs)
+{
+    for (size_t i = first; i < model->material_count; i++) {
+        struct model_material *m = &model->materials[i];
+        bool known = false;
+        for (size_t k = first; m->picture && k < i; k++)
+            if (model->materials[k].picture && !strcmp(model->materials[k].picture, m->picture)) {
+                m->texture = model->materials[k].texture;
+                known = true;
+            }
+        if (m->picture && !known && has_uvs)
+            picture_beside(path, m->picture, model, &m->texture);
+    }
+    for (size_t i = first; i < model->material_count; i++) {
+        free(model->materials[i].picture);
+        model->materials[i].picture = NULL;
+    }
+}
+
 int import_file(const char *path, double crease, struct model *model, size_t mesh)
 {
+    const size_t materials = model->material_count;
     struct reply reply;
     pid_t child;
     int code = import_check_readable(path);
@@ -186,6 +218,7 @@ int import_file(const char *path, double crease, struct model *model, size_t mes
         return fail(path, reply.said, 1);
     if (reply.said[0])
         fprintf(stderr, "%s: warning: %s\n", path, reply.said);
+    read_pictures(path, model, materials, reply.has_uvs);
     return 0;
 }
 

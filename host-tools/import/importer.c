@@ -67,6 +67,18 @@ static void physical(const struct aiMaterial *in, const double base[3], struct m
     out->ks = 1;
 }
 
+/* The file of the colours' texture; null: none, or one inside the model. */
+static char *picture_of(const struct aiMaterial *in)
+{
+    static const enum aiTextureType types[] = {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE};
+    struct aiString path;
+    for (int i = 0; i < 2; i++)
+        if (aiGetMaterialTexture(in, types[i], 0, &path, NULL, NULL, NULL, NULL, NULL, NULL) == AI_SUCCESS &&
+            path.length > 0)
+            return path.data[0] == '*' ? NULL : model_copy(path.data);
+    return NULL;
+}
+
 static void read_material(const struct aiMaterial *in, struct model *model)
 {
     struct aiString name = {0};
@@ -75,6 +87,7 @@ static void read_material(const struct aiMaterial *in, struct model *model)
     struct model_material *out = model_add_material(model, named ? name.data : "unnamed");
     int two_sided = 0;
     out->two_sided = aiGetMaterialInteger(in, AI_MATKEY_TWOSIDED, &two_sided) == AI_SUCCESS && two_sided;
+    out->picture = picture_of(in);
     for (int k = 0; k < 3; k++)
         out->diffuse[k] = 0.75;
     if (get_colour(in, "$clr.base", base)) {

@@ -15,6 +15,14 @@ static const char *const light_names[] = {"directional", "point"};
 static const char *const camera_names[] = {"perspective", "orthographic"};
 static const char *const viewer_names[] = {"infinite", "local"};
 
+static const char *const texture_names[TEXTURE_FORMATS] = {"rgb565", "palette8", "bump8"};
+static const char *const wrap_names[] = {"repeat", "clamp"};
+
+static const char *filter_name(const struct scene_texture *t)
+{
+    return t->flags & TEXTURE_BILINEAR ? "bilinear" : "nearest";
+}
+
 static void print_camera(FILE *out, const struct scene_header *s)
 {
     const struct scene_camera *c = &s->camera;
@@ -52,10 +60,20 @@ void summary_print(FILE *out, const struct scene_header *s)
         const struct scene_material *m = &scene_materials(s)[i];
         fprintf(
             out,
-            "material %u: diffuse (%.3g, %.3g, %.3g), specular (%.3g, %.3g, %.3g), ka %.3g, kd %.3g, ks %.3g, n %u%s\n",
+            "material %u: diffuse (%.3g, %.3g, %.3g), specular (%.3g, %.3g, %.3g), ka %.3g, kd %.3g, ks %.3g, n %u%s",
             i, Q(m->diffuse[0], 15), Q(m->diffuse[1], 15), Q(m->diffuse[2], 15), Q(m->specular[0], 15),
             Q(m->specular[1], 15), Q(m->specular[2], 15), Q(m->ka, 15), Q(m->kd, 15), Q(m->ks, 15), m->shininess,
             m->flags & MATERIAL_FLAT ? ", flat" : "");
+        fprintf(out, m->texture == SCENE_NO_TEXTURE ? "\n" : ", texture %u\n", m->texture);
+    }
+    for (unsigned i = 0; i < s->texture_count; i++) {
+        const struct scene_texture *t = &scene_textures(s)[i];
+        fprintf(out, "texture  %u: %ux%u %s, %s, %s in u, %s in v", i, 1u << t->log2_width, 1u << t->log2_height,
+                texture_names[t->format], filter_name(t), wrap_names[(t->flags & TEXTURE_CLAMP_U) != 0],
+                wrap_names[(t->flags & TEXTURE_CLAMP_V) != 0]);
+        if (t->colours)
+            fprintf(out, ", %u colours", t->colours);
+        fputc('\n', out);
     }
     for (unsigned i = 0; i < s->light_count; i++) {
         const struct scene_light *l = &scene_lights(s)[i];
@@ -116,6 +134,22 @@ static json_t *json_materials(const struct scene_header *s)
                                                json_colour(m->diffuse), "specular", json_colour(m->specular), "ka",
                                                Q(m->ka, 15), "kd", Q(m->kd, 15), "ks", Q(m->ks, 15), "shininess",
                                                (int)m->shininess, "flat", (int)(m->flags & MATERIAL_FLAT)));
+        if (m->texture != SCENE_NO_TEXTURE)
+            json_object_set_new(json_array_get(array, i), "texture", json_integer(m->texture));
+    }
+    return array;
+}
+
+static json_t *json_textures(const struct scene_header *s)
+{
+    json_t *array = json_array();
+    for (unsigned i = 0; i < s->texture_count; i++) {
+        const struct scene_texture *t = &scene_textures(s)[i];
+        json_array_append_new(array,
+                              json_pack("{s:[i, i], s:s, s:s, s:[s, s], s:i}", "size", 1 << t->log2_width,
+                                        1 << t->log2_height, "format", texture_names[t->format], "filter",
+                                        filter_name(t), "wrap", wrap_names[(t->flags & TEXTURE_CLAMP_U) != 0],
+                                        wrap_names[(t->flags & TEXTURE_CLAMP_V) != 0], "colours", (int)t->colours));
     }
     return array;
 }
@@ -185,6 +219,7 @@ void summary_json(FILE *out, const struct scene_header *s)
                   (int)t.triangles, "ambient", json_colour(s->ambient), "background", json_colour(s->background),
                   "camera", json_camera(&s->camera), "meshes", json_meshes(s), "materials", json_materials(s), "lights",
                   json_lights(s), "objects", json_objects(s), "bytes", bytes);
+    json_object_set_new(root, "textures", json_textures(s));
     json_object_set_new(root, "effects", json_effects(s));
     json_object_set_new(root, "methods", json_methods(s));
     json_dumpf(root, out, JSON_INDENT(2) | JSON_REAL_PRECISION(9));

@@ -2,13 +2,11 @@
 #include "report/boards.h"
 
 #include "glint/cli.h"
+#include "report/csv.h"
 
-#include <errno.h>
 #include <string.h>
 
-#define BOARDS_LINE   256
-#define BOARDS_FIELDS 5
-#define COUNT(array)  (sizeof(array) / sizeof *(array))
+#define COUNT(array) (sizeof(array) / sizeof *(array))
 
 /* Figures of a row, in their order in the file. */
 struct boards_kind {
@@ -49,13 +47,6 @@ struct boards {
     unsigned next;                  /* figure of it; 0: none is under way */
 };
 
-/* Names stand in the page as they are. */
-static bool boards_name(const char *text, size_t size)
-{
-    size_t length = strlen(text);
-    return length && length < size && strspn(text, "abcdefghijklmnopqrstuvwxyz0123456789- ") == length;
-}
-
 static void boards_row(struct boards *boards, const char *board, const char *what, const char *unit)
 {
     const struct boards_kind *kind = &boards_kinds[strcmp(what, "program") == 0 ? 0 : strcmp(unit, "us") == 0 ? 2 : 1];
@@ -74,12 +65,19 @@ static void boards_row(struct boards *boards, const char *board, const char *wha
 }
 
 /* A figure, in its row; or why it will not do. */
-static const char *boards_take(struct boards *boards, char *field[BOARDS_FIELDS])
+static const char *boards_take(void *context, char *field[CSV_FIELDS], unsigned line)
 {
+    struct boards *boards = context;
+    char board[sizeof boards->board], what[sizeof boards->what], unit[32];
     uint32_t number;
-    if (!boards_name(field[0], sizeof boards->board) || !boards_name(field[1], sizeof boards->what) ||
-        !boards_name(field[3], 32))
-        return "a name is empty, too long, or has other letters than a-z, 0-9, space and -";
+    const char *problem = csv_name(board, sizeof board, field[0], " -");
+    (void)line;
+    if (!problem)
+        problem = csv_name(what, sizeof what, field[1], " -");
+    if (!problem)
+        problem = csv_name(unit, sizeof unit, field[3], " -");
+    if (problem)
+        return problem;
     if (!cli_number(field[4], 0, UINT32_MAX, &number))
         return "the number is none";
     if (!boards->next)
@@ -101,31 +99,16 @@ static const char *boards_take(struct boards *boards, char *field[BOARDS_FIELDS]
     return NULL;
 }
 
-static const char *boards_line(struct boards *boards, char *text, unsigned line)
+/* After the last line. */
+static const char *boards_end(void *context)
 {
-    char *field[BOARDS_FIELDS], *at = text, *end = strchr(text, '\n');
-    if (!end)
-        return "no end of line: cut short, or longer than 254 characters";
-    *end = 0;
-    if (line == 1)
-        return strcmp(text, boards_head) == 0 ? NULL : boards_head;
-    for (unsigned i = 0; i < BOARDS_FIELDS; i++) {
-        char *comma = strchr(at, ',');
-        if ((comma == NULL) != (i == BOARDS_FIELDS - 1))
-            return boards_head;
-        field[i] = at;
-        if (comma)
-            *comma = 0, at = comma + 1;
-    }
-    return boards_take(boards, field);
+    const struct boards *boards = context;
+    return boards->next || !boards->kind ? "figures are missing at its end" : NULL;
 }
 
 int boards_write(FILE *out, const char *path)
 {
     struct boards boards = {.out = out};
-    char text[BOARDS_LINE];
-    const char *problem = NULL;
-    unsigned line = 0;
     fprintf(
         out,
         "<h2 id=\"boards\">On boards</h2>\n"
@@ -136,21 +119,7 @@ int boards_write(FILE *out, const char *path)
         "flash. Flash is the program\u2019s without its scenes. Under "
         "Linux, time is the guest\u2019s, an instruction a nanosecond, and its CPU makes the bits of the emulated wire "
         "itself.</p>\n");
-    errno = 0;
-    FILE *file = fopen(path, "r");
-    while (file && !problem && fgets(text, sizeof text, file))
-        problem = boards_line(&boards, text, ++line);
-    if (!file || ferror(file)) { /* a directory opens, but does not read */
-        fprintf(stderr, "%s: %s\n", path, strerror(errno));
-        if (file)
-            fclose(file);
-        return CLI_IO;
-    }
-    fclose(file);
+    int code = csv_read(path, boards_head, boards_take, boards_end, &boards);
     fprintf(out, "%s", boards.kind ? "</table></div>\n" : "");
-    if (!problem && (boards.next || !boards.kind))
-        problem = "figures are missing at its end";
-    if (problem)
-        fprintf(stderr, "%s:%u: %s%s\n", path, line, problem == boards_head ? "the columns are " : "", problem);
-    return problem ? CLI_BAD_DATA : CLI_DONE;
+    return code;
 }

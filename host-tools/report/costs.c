@@ -3,40 +3,27 @@
 
 #include "glint/cli.h"
 #include "glint/renderer.h"
+#include "report/csv.h"
 #include "scene/model.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#define COSTS_FIELDS 8
-#define COSTS_LINE   256
 
 const char *const costs_cpu_names[COSTS_CPUS] = {[COSTS_M3] = "m3", [COSTS_M0PLUS] = "m0plus"};
 const char *const costs_cpu_titles[COSTS_CPUS] = {[COSTS_M3] = "M3", [COSTS_M0PLUS] = "M0+"};
 const char *const costs_stream_cpus[COSTS_STREAM_CPUS] = {"m0plus", "m3", "m4"};
 const char *const costs_stream_cpu_titles[COSTS_STREAM_CPUS] = {"M0+", "M3", "M4"};
 
-static const char costs_frames_head[] = "cpu,scene,method,width,height,format,instructions";
+static const char costs_frames_head[] = "cpu,scene,method,width,height,format,instructions,picture";
 static const char costs_flash_head[] = "cpu,method,bytes";
 static const char costs_powers_head[] = "cpu,scene,power,exponent,instructions";
+static const char costs_budgets_head[] = "cpu,scene,budget_q8,instructions";
 static const char costs_streams_head[] = "cpu,scene,format,codec,pixels,bytes,instructions";
-
-/* A line's fields in place; takes a line into `costs`, or returns why it will not do. */
-typedef const char *costs_take(struct costs *costs, char *field[COSTS_FIELDS], unsigned line);
-
-static const char *costs_name(char *out, size_t size, const char *text)
-{
-    if (!text[0] || strlen(text) >= size)
-        return "a name is empty or too long";
-    strcpy(out, text);
-    return NULL;
-}
 
 static const char *costs_method(char *out, size_t size, const char *text)
 {
-    return renderer_find(text) ? costs_name(out, size, text) : "no such method; `glint methods` lists them";
+    return renderer_find(text) ? csv_name(out, size, text, " -_") : "no such method; `glint methods` lists them";
 }
 
 static const char *costs_cpu(enum costs_cpu *cpu, const char *text)
@@ -46,13 +33,14 @@ static const char *costs_cpu(enum costs_cpu *cpu, const char *text)
     return choice < 0 ? "the cpu is neither m3 nor m0plus" : NULL;
 }
 
-static const char *costs_take_frame(struct costs *costs, char *field[COSTS_FIELDS], unsigned line)
+static const char *costs_take_frame(void *context, char *field[CSV_FIELDS], unsigned line)
 {
+    struct costs *costs = context;
     struct costs_frame frame = {.line = line};
     uint32_t width, height;
     const char *problem = costs_cpu(&frame.cpu, field[0]);
     if (!problem)
-        problem = costs_name(frame.scene, sizeof frame.scene, field[1]);
+        problem = csv_name(frame.scene, sizeof frame.scene, field[1], " -_");
     if (!problem)
         problem = costs_method(frame.method, sizeof frame.method, field[2]);
     if (problem)
@@ -63,8 +51,16 @@ static const char *costs_take_frame(struct costs *costs, char *field[COSTS_FIELD
         return "the format is not grey8";
     if (!cli_number(field[6], 1, UINT32_MAX, &frame.instructions))
         return "the instructions are no number above 0";
+    problem = csv_name(frame.picture, sizeof frame.picture, field[7], "");
+    if (problem)
+        return problem;
     if (costs_find_frame(costs, frame.cpu, frame.scene, frame.method))
         return "a second line for this cpu, scene and method";
+    for (enum costs_cpu cpu = 0; cpu < COSTS_CPUS; cpu++) {
+        const struct costs_frame *other = costs_find_frame(costs, cpu, frame.scene, frame.method);
+        if (other && strcmp(other->picture, frame.picture) != 0)
+            return "another picture than on another cpu";
+    }
     frame.width = width;
     frame.height = height;
     costs->frames = model_grow(costs->frames, costs->frame_count, &costs->frame_room, sizeof frame);
@@ -72,8 +68,9 @@ static const char *costs_take_frame(struct costs *costs, char *field[COSTS_FIELD
     return NULL;
 }
 
-static const char *costs_take_flash(struct costs *costs, char *field[COSTS_FIELDS], unsigned line)
+static const char *costs_take_flash(void *context, char *field[CSV_FIELDS], unsigned line)
 {
+    struct costs *costs = context;
     struct costs_flash flash;
     const char *problem = costs_cpu(&flash.cpu, field[0]);
     (void)line;
@@ -90,15 +87,39 @@ static const char *costs_take_flash(struct costs *costs, char *field[COSTS_FIELD
     return NULL;
 }
 
-static const char *costs_take_power(struct costs *costs, char *field[COSTS_FIELDS], unsigned line)
+static const char *costs_take_budget(void *context, char *field[CSV_FIELDS], unsigned line)
 {
+    struct costs *costs = context;
+    struct costs_budget budget;
+    uint32_t q8;
+    const char *problem = costs_cpu(&budget.cpu, field[0]);
+    (void)line;
+    if (!problem)
+        problem = csv_name(budget.scene, sizeof budget.scene, field[1], " -_");
+    if (problem)
+        return problem;
+    if (!cli_number(field[2], 1, UINT16_MAX, &q8))
+        return "the budget is 1..65535, Q8 of 1/255";
+    if (!cli_number(field[3], 1, UINT32_MAX, &budget.instructions))
+        return "the instructions are no number above 0";
+    budget.budget_q8 = q8;
+    if (costs_find_budget(costs, budget.cpu, budget.scene, q8))
+        return "a second line for this cpu, scene and budget";
+    costs->budgets = model_grow(costs->budgets, costs->budget_count, &costs->budget_room, sizeof budget);
+    costs->budgets[costs->budget_count++] = budget;
+    return NULL;
+}
+
+static const char *costs_take_power(void *context, char *field[CSV_FIELDS], unsigned line)
+{
+    struct costs *costs = context;
     struct costs_power power;
     const char *problem = costs_cpu(&power.cpu, field[0]);
     int form = cli_choice(field[2], renderer_power_names, RENDERER_POWERS);
     uint32_t exponent;
     (void)line;
     if (!problem)
-        problem = costs_name(power.scene, sizeof power.scene, field[1]);
+        problem = csv_name(power.scene, sizeof power.scene, field[1], " -_");
     if (problem)
         return problem;
     if (form < 0)
@@ -116,25 +137,18 @@ static const char *costs_take_power(struct costs *costs, char *field[COSTS_FIELD
     return NULL;
 }
 
-/* Scene and format stand in the page as they are. */
-static const char *costs_word(char *out, size_t size, const char *text)
+static const char *costs_take_stream(void *context, char *field[CSV_FIELDS], unsigned line)
 {
-    if (strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_ ") != strlen(text))
-        return "a name has other characters than letters, digits, space, - and _";
-    return costs_name(out, size, text);
-}
-
-static const char *costs_take_stream(struct costs *costs, char *field[COSTS_FIELDS], unsigned line)
-{
+    struct costs *costs = context;
     struct costs_stream stream;
     int cpu = cli_choice(field[0], costs_stream_cpus, COSTS_STREAM_CPUS);
     uint32_t codec;
     (void)line;
     if (cpu < 0)
         return "the cpu is none of m0plus, m3 and m4";
-    const char *problem = costs_word(stream.scene, sizeof stream.scene, field[1]);
+    const char *problem = csv_name(stream.scene, sizeof stream.scene, field[1], " -_");
     if (!problem)
-        problem = costs_word(stream.format, sizeof stream.format, field[2]);
+        problem = csv_name(stream.format, sizeof stream.format, field[2], " -_");
     if (problem)
         return problem;
     if (!cli_number(field[3], 1, 2, &codec))
@@ -151,70 +165,20 @@ static const char *costs_take_stream(struct costs *costs, char *field[COSTS_FIEL
     return NULL;
 }
 
-/* Splits at commas; the number of fields, or COSTS_FIELDS if there are as many or more. */
-static unsigned costs_split(char *text, char *field[COSTS_FIELDS])
-{
-    unsigned count = 0;
-    while (count < COSTS_FIELDS) {
-        field[count++] = text;
-        text = strchr(text, ',');
-        if (!text)
-            break;
-        *text++ = 0;
-    }
-    return count;
-}
-
-static const char *costs_line(struct costs *costs, char *text, unsigned line, const char *head, costs_take *take)
-{
-    char *field[COSTS_FIELDS], *end = strchr(text, '\n');
-    unsigned wanted = 1;
-    if (!end)
-        return "no end of line: cut short, or longer than 254 characters";
-    *end = 0;
-    if (line == 1)
-        return strcmp(text, head) == 0 ? NULL : head; /* says what belongs there */
-    for (const char *c = head; *c; c++)
-        wanted += *c == ',';
-    return costs_split(text, field) == wanted ? take(costs, field, line) : head;
-}
-
-static int costs_file(struct costs *costs, const char *path, const char *head, costs_take *take)
-{
-    char text[COSTS_LINE];
-    const char *problem = NULL;
-    unsigned line = 0;
-    errno = 0;
-    FILE *file = fopen(path, "r");
-    while (file && !problem && fgets(text, sizeof text, file))
-        problem = costs_line(costs, text, ++line, head, take);
-    if (!file || ferror(file)) { /* a directory opens, but does not read */
-        fprintf(stderr, "%s: %s\n", path, strerror(errno));
-        if (file)
-            fclose(file);
-        return CLI_IO;
-    }
-    fclose(file);
-    if (!line)
-        fprintf(stderr, "%s: empty\n", path);
-    else if (problem)
-        fprintf(stderr, "%s:%u: %s%s\n", path, line, problem == head ? "the columns are " : "", problem);
-    return line && !problem ? CLI_DONE : CLI_BAD_DATA;
-}
-
 int costs_read(struct costs *costs)
 {
     const struct {
         const char *path, *head;
-        costs_take *take;
+        csv_take *take;
     } files[] = {{costs->frames_path, costs_frames_head, costs_take_frame},
                  {costs->flash_path, costs_flash_head, costs_take_flash},
+                 {costs->budgets_path, costs_budgets_head, costs_take_budget},
                  {costs->powers_path, costs_powers_head, costs_take_power},
                  {costs->streams_path, costs_streams_head, costs_take_stream}};
     int code = CLI_DONE;
     for (size_t i = 0; !code && i < sizeof files / sizeof *files; i++)
         if (files[i].path)
-            code = costs_file(costs, files[i].path, files[i].head, files[i].take);
+            code = csv_read(files[i].path, files[i].head, files[i].take, NULL, costs);
     return code;
 }
 
@@ -224,6 +188,7 @@ void costs_free(struct costs *costs)
     free(costs->flash);
     free(costs->powers);
     free(costs->streams);
+    free(costs->budgets);
     *costs = (struct costs){0};
 }
 
@@ -243,6 +208,17 @@ const struct costs_flash *costs_find_flash(const struct costs *costs, enum costs
     for (size_t i = 0; i < costs->flash_count; i++)
         if (costs->flash[i].cpu == cpu && strcmp(costs->flash[i].method, method) == 0)
             return &costs->flash[i];
+    return NULL;
+}
+
+const struct costs_budget *costs_find_budget(const struct costs *costs, enum costs_cpu cpu, const char *scene,
+                                             unsigned budget_q8)
+{
+    for (size_t i = 0; i < costs->budget_count; i++) {
+        const struct costs_budget *budget = &costs->budgets[i];
+        if (budget->cpu == cpu && budget->budget_q8 == budget_q8 && strcmp(budget->scene, scene) == 0)
+            return budget;
+    }
     return NULL;
 }
 

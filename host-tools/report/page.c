@@ -4,6 +4,7 @@
 #include "glint/cli.h"
 #include "report/picture.h"
 #include "report/plot.h"
+#include "report/sweep.h"
 
 static const char page_style[] =
     ":root{color-scheme:light dark;--ink:#1b1b1b;--paper:#fff;--faint:#6b6b6b;--line:#d5d5d5;--best:#b84a16}\n"
@@ -23,7 +24,8 @@ static const char page_style[] =
     "svg [fill=black]{fill:currentColor}svg [stroke=black]{stroke:currentColor}\n"
     ".card{border:1px solid var(--line);border-radius:6px;padding:.7rem}.card h3{margin:0 0 .4em;font-size:1.05rem}\n"
     ".pair{display:grid;grid-template-columns:repeat(2,minmax(0,1fr));align-items:start;gap:.4rem}"
-    ".pair img{width:100%;height:auto;display:block}\n"
+    ".pair img,.row img{width:100%;height:auto;display:block}\n"
+    ".row{display:grid;grid-template-columns:repeat(auto-fit,minmax(11rem,1fr));gap:.4rem}.rows .card{margin:1rem 0}\n"
     "dl{display:grid;grid-template-columns:auto 1fr;gap:0 .8em;margin:.5em 0 0;font-variant-numeric:tabular-nums}\n"
     "dt{color:var(--faint)}dd{margin:0}\n"
     ".first td{border-top:2px solid var(--line)}\n"
@@ -31,7 +33,7 @@ static const char page_style[] =
     ".3em;text-align:center;border:0}\n"
     "figcaption{font-size:.95rem;margin-top:.4em}\n";
 
-void page_begin(FILE *out, const char *const paths[], unsigned count, bool powers, bool streams, bool boards)
+void page_begin(FILE *out, const char *const paths[], unsigned count, const struct page_sections *sections)
 {
     char name[SURVEY_NAME];
     fprintf(out,
@@ -39,26 +41,47 @@ void page_begin(FILE *out, const char *const paths[], unsigned count, bool power
             "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n"
             "<title>Glint: what accuracy costs</title>\n<style>\n%s</style>\n</head>\n<body>\n",
             page_style);
-    fprintf(out,
-            "<h1>Glint: what accuracy costs</h1>\n"
-            "<p>Every scene drawn by every shading method in integers, beside the truth: per-pixel Phong in double "
-            "precision, the normal interpolated correctly in perspective. Pictures are 8-bit grey.</p>\n"
-            "<p><b>PSNR</b> in dB, <b>RMS</b> and <b>largest difference</b> in 1/255, over the pixels that the scene "
-            "covers, are taken from the truth before it is rounded: 8-bit output alone allows 58.9 dB. "
-            "<b>Instructions</b> of one frame, clear and depth included, drawn in one piece, counted by QEMU on its "
-            "mps2 boards as a Cortex-M3 and a Cortex-M0+ (gcc&nbsp;&#8209;O2). <b>Flash</b> is that of a program which "
-            "draws by "
-            "this method alone, mem* and libgcc included, its scene not.</p>\n"
-            "<p>A figure is <span class=\"best\">marked</span> where a method belongs to the Pareto set of that CPU: "
-            "none that costs no more is closer to the truth; in the plots the set is filled and joined. "
-            "<span class=\"beaten\">Faint</span> is what another method beats on both.</p>\n<nav>");
+    fprintf(
+        out,
+        "<h1>Glint: what accuracy costs</h1>\n"
+        "<p>Every scene drawn by every shading method in integers, beside the truth: per-pixel Phong in double "
+        "precision, the normal interpolated correctly in perspective. Pictures are 8-bit grey.</p>\n"
+        "<p><b>PSNR</b> in dB, <b>RMS</b> and <b>largest difference</b> in 1/255, over the pixels that the scene "
+        "covers, are taken from the truth before it is rounded: 8-bit output alone allows 58.9 dB. "
+        "<b>Instructions</b> of one frame, clear and depth included, drawn in one piece, counted by QEMU on its "
+        "mps2 boards as a Cortex-M3 and a Cortex-M0+ (gcc&nbsp;&#8209;O2). <b>Flash</b> is that of a program which "
+        "draws by "
+        "this method alone, mem* and libgcc included, its scene not.</p>\n"
+        "<p>A figure is <span class=\"best\">marked</span> where a method belongs to the Pareto set of that CPU: "
+        "none that costs no more is closer to the truth; in the plots the set is filled and joined. "
+        "<span class=\"beaten\">Faint</span> is what another method beats on both.</p>\n"
+        "<p><b>auto</b> takes, a triangle, the cheapest way that its bounds allow within a budget: how many 255ths a "
+        "pixel may be off, roundings of at most 1.5 apart; by itself 2. Its budgets are the blue line in the plots, "
+        "each by its number. In their "
+        "tables <b>bound</b> is the largest error that a triangle of the frame was promised, and a way has its "
+        "triangles and its share of the pixels; lights and highlights are <b>hidden</b> that can reach no pixel of a "
+        "triangle, <b>dropped</b> that are within the budget, dot products <b>straightened</b> that are drawn linear, "
+        "triangles <b>undivided</b> that a perspective view draws as a flat one. Below them, what each triangle was "
+        "drawn "
+        "by:");
+    sweep_legend(out);
+    fprintf(out, ".</p>\n<nav>");
     for (unsigned i = 0; i < count; i++)
         if (survey_name(paths[i], name))
             fprintf(out, "<a href=\"#%s\">%s</a>\n", name, name);
-    fprintf(out, "<a href=\"#angle\">X-shading\u2019s error</a>\n%s%s%s</nav>\n",
-            powers ? "<a href=\"#power\">The highlight\u2019s power</a>\n" : "",
-            streams ? "<a href=\"#stream\">As a stream</a>\n" : "",
-            boards ? "<a href=\"#boards\">On boards</a>\n" : "");
+    const struct {
+        const char *id, *title;
+        bool there;
+    } links[] = {{"effects", "Effects", sections->effects},
+                 {"angle", "X-shading\u2019s error", true},
+                 {"power", "The highlight\u2019s power", sections->power},
+                 {"choices", "Fixed-point choices", sections->choices},
+                 {"stream", "As a stream", sections->streams},
+                 {"boards", "On boards", sections->boards}};
+    for (unsigned i = 0; i < sizeof links / sizeof *links; i++)
+        if (links[i].there)
+            fprintf(out, "<a href=\"#%s\">%s</a>\n", links[i].id, links[i].title);
+    fprintf(out, "</nav>\n");
 }
 
 static const char *page_class(const struct survey_row *row)
@@ -111,12 +134,12 @@ static void page_figures(FILE *out, const struct survey_row *row)
 }
 
 /* What is worth showing of a picture as large as the scene's. */
-static bool page_picture(FILE *out, const struct survey *survey, const uint8_t *pixels, bool difference,
+static bool page_picture(FILE *out, const struct survey *survey, const uint8_t *pixels, enum picture_kind kind,
                          const char *caption)
 {
     const struct survey_box *box = &survey->box;
     const struct picture picture = {pixels + (size_t)box->top * survey->width + box->left, survey->width, box->width,
-                                    box->height, difference};
+                                    box->height, kind};
     return picture_write(out, &picture, caption);
 }
 
@@ -127,7 +150,7 @@ static bool page_truth(FILE *out, const struct survey *survey)
     char caption[160];
     snprintf(caption, sizeof caption, "%s, the truth", survey->scene);
     fprintf(out, "<figure class=\"card\"><h3>the truth</h3><div class=\"pair\">");
-    bool done = page_picture(out, survey, survey->truth, false, caption);
+    bool done = page_picture(out, survey, survey->truth, PICTURE_GREY, caption);
     fprintf(out, "<table class=\"key\">");
     for (int level = PICTURE_LEVELS; level >= 0; level--) {
         fprintf(out, "<tr>");
@@ -153,9 +176,9 @@ static bool page_card(FILE *out, const struct survey *survey, const struct surve
     fprintf(out, "<figure class=\"card\" id=\"%s-%s\"><h3%s>%s</h3><div class=\"pair\">", survey->scene, row->method,
             page_class(row), row->method);
     snprintf(caption, sizeof caption, "%s by %s", survey->scene, row->method);
-    bool done = page_picture(out, survey, row->grey, false, caption);
+    bool done = page_picture(out, survey, row->grey, PICTURE_GREY, caption);
     snprintf(caption, sizeof caption, "%s by %s less the truth", survey->scene, row->method);
-    done = done && page_picture(out, survey, row->difference, true, caption);
+    done = done && page_picture(out, survey, row->difference, PICTURE_DIFFERENCE, caption);
     fprintf(out, "</div><figcaption>");
     page_figures(out, row);
     fprintf(out, "</figcaption></figure>\n");
@@ -173,15 +196,17 @@ int page_scene(FILE *out, const struct survey *survey)
                 "compared are the pixels that both cover.",
                 survey->scene, survey->ideal_triangles);
     fprintf(out, "</p>\n<div class=\"plots\">");
-    for (enum costs_cpu cpu = 0; cpu < COSTS_CPUS; cpu++) {
+    for (unsigned i = 0; i < (survey->budget_count ? 2 : 1) * COSTS_CPUS; i++) { /* a budget is about the largest */
         fprintf(out, "<figure>");
-        int code = plot_write(out, survey, cpu);
+        int code = plot_write(out, survey, i % COSTS_CPUS, i < COSTS_CPUS ? PLOT_PSNR : PLOT_LARGEST);
         if (code)
             return code;
         fprintf(out, "</figure>\n");
     }
-    fprintf(out, "</div>\n<div class=\"cards\">\n");
-    bool done = page_truth(out, survey);
+    fprintf(out, "</div>\n");
+    bool done = sweep_write(out, survey);
+    fprintf(out, "<div class=\"cards\">\n");
+    done = done && page_truth(out, survey);
     for (unsigned i = 0; i < survey->count && done; i++)
         done = page_card(out, survey, &survey->rows[i]);
     fprintf(out, "</div>\n");

@@ -7,11 +7,16 @@
 
 #include <stdio.h>
 
-/* The page in its order: what it is, with links to the scenes of these files and to the sections that follow (angle.h,
- * powers.h, streams.h, boards.h); a table of one scene; then scene by scene. page_scene() returns the exit code of the
- * command line; when it is not 0, one line has been printed on stderr.
+/* Those that follow the scenes, if there are any figures for them. */
+struct page_sections {
+    bool effects, power, choices, streams, boards;
+};
+
+/* The page in its order: what it is, with links to the scenes of these files and to the sections that follow
+ * (effects.h, angle.h, powers.h, choices.h, streams.h, boards.h); a table of one scene; then scene by scene.
+ * page_scene() returns the exit code of the command line; when it is not 0, one line has been printed on stderr.
  */
-void page_begin(FILE *out, const char *const paths[], unsigned count, bool powers, bool streams, bool boards);
+void page_begin(FILE *out, const char *const paths[], unsigned count, const struct page_sections *sections);
 void page_summary(FILE *out, const struct survey *survey);
 int page_scene(FILE *out, const struct survey *survey);
 void page_end(FILE *out);

@@ -48,9 +48,11 @@ static void picture_palette(png_structp png, png_infop info)
     png_set_PLTE(png, info, palette, 2 * PICTURE_LEVELS + 1);
 }
 
-/* Levels take no filter, greys that which libpng finds best for a row. */
+/* Levels take no filter, the others that which libpng finds best for a row. */
 static bool picture_encode(FILE *out, const struct picture *picture)
 {
+    static const int types[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_PALETTE};
+    const bool levels = picture->kind == PICTURE_DIFFERENCE;
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);
     png_infop info = png ? png_create_info_struct(png) : NULL;
     if (!info || setjmp(png_jmpbuf(png))) {
@@ -59,11 +61,10 @@ static bool picture_encode(FILE *out, const struct picture *picture)
     }
     png_init_io(png, out);
     png_set_compression_level(png, 9);
-    png_set_filter(png, 0, picture->difference ? PNG_FILTER_NONE : PNG_ALL_FILTERS);
-    png_set_IHDR(png, info, picture->width, picture->height, picture->difference ? 4 : 8,
-                 picture->difference ? PNG_COLOR_TYPE_PALETTE : PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
+    png_set_filter(png, 0, levels ? PNG_FILTER_NONE : PNG_ALL_FILTERS);
+    png_set_IHDR(png, info, picture->width, picture->height, levels ? 4 : 8, types[picture->kind], PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    if (picture->difference)
+    if (levels)
         picture_palette(png, info);
     png_write_info(png, info);
     png_set_packing(png);

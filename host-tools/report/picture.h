@@ -20,11 +20,13 @@ int picture_level(double difference);
 /* How a level is shown: black where right, orange where too bright, blue where too dark. */
 void picture_colour(int level, uint8_t rgb[3]);
 
+enum picture_kind { PICTURE_GREY, PICTURE_RGB, PICTURE_DIFFERENCE /* a level a byte */ };
+
 struct picture {
     const uint8_t *pixels; /* the first row shown */
     unsigned stride;       /* bytes between rows */
     unsigned width, height;
-    bool difference; /* samples are levels, not greys */
+    enum picture_kind kind;
 };
 
 /* Writes an <img> with a PNG in a data URI, which a browser decodes when it comes into view; `caption` is its text for

@@ -37,7 +37,24 @@ struct plot_obstacles {
 };
 
 struct plot_axes {
-    double low, high, bottom, top; /* million instructions, dB */
+    double low, high, bottom, top; /* million instructions; dB, or the largest difference */
+};
+
+/* Filled and joined; beaten by another; auto within a budget, joined too. */
+enum plot_group { PLOT_FRONT, PLOT_BEATEN, PLOT_BUDGET };
+
+struct plot_point {
+    char name[32];
+    double right, up; /* million instructions; dB, or the largest difference */
+    enum plot_group group;
+};
+
+/* Cheapest first. */
+struct plot {
+    struct plot_point *points;
+    unsigned count;
+    enum plot_sort sort;
+    struct plot_axes axes;
 };
 
 double plot_decibel(const struct compare_result *error)
@@ -45,26 +62,34 @@ double plot_decibel(const struct compare_result *error)
     return isinf(error->psnr_db) ? 99 : error->psnr_db;
 }
 
-static double plot_millions(const struct survey_row *row, enum costs_cpu cpu)
-{
-    return row->instructions[cpu] / 1e6;
-}
-
-static struct plot_axes plot_axes(const struct survey *survey, enum costs_cpu cpu)
+static void plot_find_axes(struct plot *plot)
 {
     struct plot_axes axes = {INFINITY, 0, INFINITY, -INFINITY};
-    for (unsigned i = 0; i < survey->count; i++) {
-        const struct survey_row *row = &survey->rows[i];
-        axes.low = fmin(axes.low, plot_millions(row, cpu));
-        axes.high = fmax(axes.high, plot_millions(row, cpu));
-        axes.bottom = fmin(axes.bottom, plot_decibel(&row->error));
-        axes.top = fmax(axes.top, plot_decibel(&row->error));
+    for (unsigned i = 0; i < plot->count; i++) {
+        const struct plot_point *point = &plot->points[i];
+        axes.low = fmin(axes.low, point->right);
+        axes.high = fmax(axes.high, point->right);
+        axes.bottom = fmin(axes.bottom, point->up);
+        axes.top = fmax(axes.top, point->up);
     }
     axes.low /= 1.3;
     axes.high *= 1.9; /* room for names */
-    axes.bottom = 5 * floor((axes.bottom - 1) / 5);
-    axes.top = 5 * ceil((axes.top + 4) / 5);
-    return axes;
+    axes.bottom = plot->sort == PLOT_PSNR ? 5 * floor((axes.bottom - 1) / 5) : axes.bottom / 1.5;
+    axes.top = plot->sort == PLOT_PSNR ? 5 * ceil((axes.top + 4) / 5) : axes.top * 1.5;
+    plot->axes = axes;
+}
+
+/* Where on its axis, 0..1. */
+static double plot_across(const struct plot *plot, double millions)
+{
+    return log(millions / plot->axes.low) / log(plot->axes.high / plot->axes.low);
+}
+static double plot_upwards(const struct plot *plot, double value)
+{
+    const struct plot_axes *axes = &plot->axes;
+    if (plot->sort == PLOT_PSNR)
+        return (value - axes->bottom) / (axes->top - axes->bottom);
+    return log(value / axes->bottom) / log(axes->top / axes->bottom);
 }
 
 static double plot_overlap(const struct plot_box *a, const struct plot_box *b)
@@ -110,20 +135,17 @@ static void plot_place(struct plot_mark *mark, double width, bool right, const s
         }
 }
 
-static void plot_layout(const struct survey *survey, enum costs_cpu cpu, const struct plot_axes *axes,
-                        const unsigned order[], struct plot_mark *marks)
+static void plot_layout(const struct plot *plot, struct plot_mark *marks)
 {
-    struct plot_obstacles obstacles = {model_alloc(4 * survey->count * sizeof(struct plot_box)), 0};
+    struct plot_obstacles obstacles = {model_alloc(4 * plot->count * sizeof(struct plot_box)), 0};
     const struct plot_mark *before = NULL;
-    for (unsigned i = 0; i < survey->count; i++) {
-        const struct survey_row *row = &survey->rows[order[i]];
-        struct plot_mark *mark = &marks[order[i]];
-        double right = log(plot_millions(row, cpu) / axes->low) / log(axes->high / axes->low);
-        double up = (plot_decibel(&row->error) - axes->bottom) / (axes->top - axes->bottom);
-        mark->x = PLOT_LEFT + right * (PLOT_RIGHT - PLOT_LEFT);
-        mark->y = PLOT_BOTTOM - up * (PLOT_BOTTOM - PLOT_TOP);
+    for (unsigned i = 0; i < plot->count; i++) {
+        const struct plot_point *point = &plot->points[i];
+        struct plot_mark *mark = &marks[i];
+        mark->x = PLOT_LEFT + plot_across(plot, point->right) * (PLOT_RIGHT - PLOT_LEFT);
+        mark->y = PLOT_BOTTOM - plot_upwards(plot, point->up) * (PLOT_BOTTOM - PLOT_TOP);
         plot_obstruct(&obstacles, mark->x, mark->y, mark->x, mark->y, PLOT_POINT);
-        if (row->beaten_by[cpu])
+        if (point->group != PLOT_FRONT)
             continue;
         if (before) {
             plot_obstruct(&obstacles, before->x, before->y, mark->x, before->y, 1);
@@ -131,24 +153,27 @@ static void plot_layout(const struct survey *survey, enum costs_cpu cpu, const s
         }
         before = mark;
     }
-    for (unsigned i = 0; i < 2 * survey->count; i++) { /* the Pareto set first */
-        const struct survey_row *row = &survey->rows[order[i % survey->count]];
-        struct plot_mark *mark = &marks[order[i % survey->count]];
-        if ((row->beaten_by[cpu] == NULL) != (i < survey->count))
+    static const enum plot_group turns[] = {PLOT_BUDGET, PLOT_FRONT, PLOT_BEATEN};
+    for (unsigned i = 0; i < 3 * plot->count; i++) {
+        const struct plot_point *point = &plot->points[i % plot->count];
+        struct plot_mark *mark = &marks[i % plot->count];
+        if (point->group != turns[i / plot->count])
             continue;
-        plot_place(mark, PLOT_CHARACTER * (double)strlen(row->method), row->beaten_by[cpu] != NULL, &obstacles);
+        plot_place(mark, PLOT_CHARACTER * (double)strlen(point->name), point->group != PLOT_FRONT, &obstacles);
         obstacles.box[obstacles.count++] = mark->label;
     }
     free(obstacles.box);
 }
 
-static void plot_labels(FILE *script, const struct survey *survey, enum costs_cpu cpu, const struct plot_mark *marks)
+static void plot_labels(FILE *script, const struct plot *plot, const struct plot_mark *marks)
 {
-    for (unsigned i = 0; i < survey->count; i++) {
+    static const char *const colours[] = {
+        [PLOT_FRONT] = "", [PLOT_BEATEN] = " tc rgb \"#808080\"", [PLOT_BUDGET] = " tc rgb \"#3f8fd0\""};
+    for (unsigned i = 0; i < plot->count; i++) {
         const struct plot_mark *mark = &marks[i];
         double x = (mark->label.left + mark->label.right) / 2, y = (mark->label.top + mark->label.bottom) / 2;
-        fprintf(script, "set label \"%s\" at screen %.4f,%.4f center%s\n", survey->rows[i].method, x / PLOT_WIDTH,
-                1 - y / PLOT_HEIGHT, survey->rows[i].beaten_by[cpu] ? " tc rgb \"#808080\"" : "");
+        fprintf(script, "set label \"%s\" at screen %.4f,%.4f center%s\n", plot->points[i].name, x / PLOT_WIDTH,
+                1 - y / PLOT_HEIGHT, colours[plot->points[i].group]);
         if (mark->far) /* to the label's nearest edge */
             fprintf(script, "set arrow from screen %.4f,%.4f to screen %.4f,%.4f nohead lw .5 lc rgb \"#808080\"\n",
                     mark->x / PLOT_WIDTH, 1 - mark->y / PLOT_HEIGHT,
@@ -157,38 +182,22 @@ static void plot_labels(FILE *script, const struct survey *survey, enum costs_cp
     }
 }
 
-/* The rows by their cost on this cpu. */
-static unsigned *plot_order(const struct survey *survey, enum costs_cpu cpu)
-{
-    unsigned *order = model_alloc(survey->count * sizeof *order);
-    for (unsigned i = 0; i < survey->count; i++) {
-        unsigned at = i;
-        for (; at > 0 && survey->rows[order[at - 1]].instructions[cpu] > survey->rows[i].instructions[cpu]; at--)
-            order[at] = order[at - 1];
-        order[at] = i;
-    }
-    return order;
-}
-
-/* A data block of the points that are in the Pareto set, or of the others. Returns how many. */
-static unsigned plot_data(FILE *script, const struct survey *survey, enum costs_cpu cpu, const unsigned order[],
-                          bool front)
+/* A data block of the points of a group. Returns how many. */
+static unsigned plot_data(FILE *script, const struct plot *plot, const char *name, enum plot_group group)
 {
     unsigned count = 0;
-    fprintf(script, "$%s << END\n", front ? "front" : "beaten");
-    for (unsigned i = 0; i < survey->count; i++) {
-        const struct survey_row *row = &survey->rows[order[i]];
-        if ((row->beaten_by[cpu] == NULL) != front)
-            continue;
-        fprintf(script, "%.6f %.4f\n", plot_millions(row, cpu), plot_decibel(&row->error));
-        count++;
-    }
+    fprintf(script, "$%s << END\n", name);
+    for (unsigned i = 0; i < plot->count; i++)
+        if (plot->points[i].group == group) {
+            fprintf(script, "%.6f %.4f\n", plot->points[i].right, plot->points[i].up);
+            count++;
+        }
     fprintf(script, "END\n");
     return count;
 }
 
 /* The ticks of a logarithmic axis: round numbers, not too close. */
-static void plot_ticks(FILE *script, const struct plot_axes *axes)
+static void plot_ticks(FILE *script, const struct plot *plot)
 {
     static const double steps[6] = {1, 1.5, 2, 3, 5, 7};
     const char *comma = "";
@@ -196,51 +205,109 @@ static void plot_ticks(FILE *script, const struct plot_axes *axes)
     for (int power = -6; power < 6; power++)
         for (int i = 0; i < 6; i++) {
             double tick = steps[i] * pow(10, power);
-            if (tick < axes->low || tick > axes->high)
+            if (tick < plot->axes.low || tick > plot->axes.high)
                 continue;
             fprintf(script, "%s\"%g\" %g", comma, tick, tick);
             comma = ", ";
         }
     fprintf(script, ")\n");
+    if (plot->sort == PLOT_PSNR) {
+        fprintf(script, "set ytics 5\n");
+        return;
+    }
+    fprintf(script, "set logscale y\nset ytics (\".25\" .25, \".5\" .5");
+    for (int tick = 1; tick < 256; tick *= 2)
+        fprintf(script, ", \"%d\" %d", tick, tick);
+    fprintf(script, ")\n");
 }
 
-static void plot_script(FILE *script, const struct survey *survey, enum costs_cpu cpu)
+static void plot_script(FILE *script, const struct plot *plot, enum costs_cpu cpu)
 {
-    struct plot_axes axes = plot_axes(survey, cpu);
-    struct plot_mark *marks = model_alloc(survey->count * sizeof *marks);
-    unsigned *order = plot_order(survey, cpu);
-    plot_layout(survey, cpu, &axes, order, marks);
+    static const char *const titles[] = {[PLOT_PSNR] = "PSNR, dB", [PLOT_LARGEST] = "largest difference, 1/255"};
+    struct plot_mark *marks = model_alloc(plot->count * sizeof *marks);
+    plot_layout(plot, marks);
     fprintf(script,
             "set terminal svg size %d,%d dynamic font \"sans-serif,13\" noenhanced\n"
             "set logscale x\nset key off\nset grid lc rgb \"#808080\" lw .5\n"
-            "set xrange [%g:%g]\nset yrange [%g:%g]\nset ytics 5\n"
+            "set xrange [%g:%g]\nset yrange [%g:%g]\n"
             "set lmargin at screen %g\nset rmargin at screen %g\nset tmargin at screen %g\nset bmargin at screen %g\n"
-            "set xlabel \"million instructions a frame on %s\" offset 0,.4\nset ylabel \"PSNR, dB\" offset 1.5,0\n",
-            PLOT_WIDTH, PLOT_HEIGHT, axes.low, axes.high, axes.bottom, axes.top, (double)PLOT_LEFT / PLOT_WIDTH,
-            (double)PLOT_RIGHT / PLOT_WIDTH, 1 - (double)PLOT_TOP / PLOT_HEIGHT, 1 - (double)PLOT_BOTTOM / PLOT_HEIGHT,
-            costs_cpu_titles[cpu]);
-    plot_ticks(script, &axes);
-    plot_labels(script, survey, cpu, marks);
-    plot_data(script, survey, cpu, order, true);
-    bool beaten = plot_data(script, survey, cpu, order, false) > 0;
+            "set xlabel \"million instructions a frame on %s\" offset 0,.4\nset ylabel \"%s\" offset 1.5,0\n",
+            PLOT_WIDTH, PLOT_HEIGHT, plot->axes.low, plot->axes.high, plot->axes.bottom, plot->axes.top,
+            (double)PLOT_LEFT / PLOT_WIDTH, (double)PLOT_RIGHT / PLOT_WIDTH, 1 - (double)PLOT_TOP / PLOT_HEIGHT,
+            1 - (double)PLOT_BOTTOM / PLOT_HEIGHT, costs_cpu_titles[cpu], titles[plot->sort]);
+    plot_ticks(script, plot);
+    plot_labels(script, plot, marks);
+    plot_data(script, plot, "front", PLOT_FRONT);
+    bool beaten = plot_data(script, plot, "beaten", PLOT_BEATEN) > 0;
+    bool budgets = plot_data(script, plot, "budget", PLOT_BUDGET) > 0;
     fprintf(script,
-            "plot $front with steps lw 1.5 lc rgb \"#d9622b\", $front with points pt 7 ps .6 lc rgb \"#d9622b\"%s\n",
-            beaten ? ", $beaten with points pt 6 ps .6 lc rgb \"#808080\"" : "");
-    free(order);
+            "plot $front with steps lw 1.5 lc rgb \"#d9622b\", $front with points pt 7 ps .6 lc rgb \"#d9622b\"%s%s\n",
+            beaten ? ", $beaten with points pt 6 ps .6 lc rgb \"#808080\"" : "",
+            budgets ? ", $budget with linespoints pt 7 ps .6 lw 2 lc rgb \"#3f8fd0\"" : "");
     free(marks);
 }
 
-int plot_write(FILE *out, const struct survey *survey, enum costs_cpu cpu)
+static int plot_order(const void *a, const void *b)
+{
+    const struct plot_point *x = a, *y = b;
+    return x->right != y->right ? (x->right < y->right ? -1 : 1) : strcmp(x->name, y->name);
+}
+
+static double plot_value(enum plot_sort sort, const struct compare_result *error)
+{
+    return sort == PLOT_PSNR ? plot_decibel(error) : fmax(error->max, .1);
+}
+
+/* Of the methods, whom none beats that costs no more. */
+static void plot_rank(struct plot *plot)
+{
+    const double sign = plot->sort == PLOT_PSNR ? 1 : -1;
+    for (unsigned i = 0; i < plot->count; i++)
+        for (unsigned j = 0; j < plot->count; j++) {
+            struct plot_point *own = &plot->points[i];
+            const struct plot_point *other = &plot->points[j];
+            double better = sign * (other->up - own->up);
+            if (own->group != PLOT_BUDGET && other->group != PLOT_BUDGET && other->right <= own->right && better >= 0 &&
+                (other->right < own->right || better > 0))
+                own->group = PLOT_BEATEN;
+        }
+}
+
+static void plot_make(struct plot *plot, const struct survey *survey, enum costs_cpu cpu)
+{
+    plot->points = model_alloc((survey->count + survey->budget_count) * sizeof *plot->points);
+    for (unsigned i = 0; i < survey->count; i++) {
+        const struct survey_row *row = &survey->rows[i];
+        struct plot_point *point = &plot->points[plot->count++];
+        *point = (struct plot_point){"", row->instructions[cpu] / 1e6, plot_value(plot->sort, &row->error), PLOT_FRONT};
+        snprintf(point->name, sizeof point->name, "%s", row->method);
+    }
+    for (unsigned i = 0; i < survey->budget_count; i++) {
+        const struct survey_budget *budget = &survey->budgets[i];
+        struct plot_point *point = &plot->points[plot->count++];
+        *point = (struct plot_point){"", budget->instructions[cpu] / 1e6, plot_value(plot->sort, &budget->error),
+                                     PLOT_BUDGET};
+        snprintf(point->name, sizeof point->name, "%g", budget->budget_q8 / 256.);
+    }
+    plot_rank(plot);
+    qsort(plot->points, plot->count, sizeof *plot->points, plot_order);
+    plot_find_axes(plot);
+}
+
+int plot_write(FILE *out, const struct survey *survey, enum costs_cpu cpu, enum plot_sort sort)
 {
     char prefix[96];
+    struct plot plot = {.sort = sort};
     FILE *script = tmpfile();
     if (!script) {
         perror("gnuplot's script");
         return CLI_IO;
     }
-    snprintf(prefix, sizeof prefix, "%s-%s-", survey->scene, costs_cpu_names[cpu]);
-    plot_script(script, survey, cpu);
+    plot_make(&plot, survey, cpu);
+    snprintf(prefix, sizeof prefix, "%s-%s-%u-", survey->scene, costs_cpu_names[cpu], (unsigned)sort);
+    plot_script(script, &plot, cpu);
     int code = gnuplot_run(script, out, prefix);
+    free(plot.points);
     fclose(script);
     return code;
 }

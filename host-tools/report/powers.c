@@ -68,7 +68,8 @@ static int powers_row(FILE *out, const struct powers_case *c, const struct costs
             powers_error(form, c->exponent));
     for (unsigned m = 0; !code && m < COUNT(powers_methods); m++) {
         struct compare_result error;
-        code = drawing_make(c->grey, c->packed.scene, c->path, powers_methods[m], renderer_powers[form]);
+        const struct drawing how = {.method = powers_methods[m], .power = renderer_powers[form]};
+        code = drawing_make(c->grey, c->packed.scene, c->path, &how, NULL);
         drawing_compare(c->grey, &c->truth, c->truth.covered, &error);
         fprintf(out, "<td>%.1f</td><td>%.1f</td>", plot_decibel(&error), error.max);
     }

@@ -6,6 +6,7 @@
 #include "reference/reference.h"
 #include "report/drawing.h"
 #include "report/picture.h"
+#include "report/sweep.h"
 #include "scene/model.h"
 
 #include <stdio.h>
@@ -81,7 +82,7 @@ static int survey_rows(struct survey *survey, const char *path, const struct sce
         row->difference = model_alloc(pixels);
         int code = survey_price(survey, costs, row);
         if (!code)
-            code = drawing_make(row->grey, scene, path, row->method, NULL);
+            code = drawing_make(row->grey, scene, path, &(struct drawing){.method = row->method}, NULL);
         if (code)
             return code;
         drawing_compare(row->grey, truth, survey->covered, &row->error);
@@ -209,6 +210,8 @@ int survey_open(struct survey *survey, const char *path, const char *const metho
         code = survey_truth(survey, path, packed.scene, ideal.scene, &truth);
     if (!code) {
         code = survey_rows(survey, path, packed.scene, &truth, costs);
+        if (!code)
+            code = sweep_measure(survey, path, packed.scene, &truth, costs);
         reference_free(&truth);
     }
     pack_free(&ideal);
@@ -223,6 +226,9 @@ void survey_free(struct survey *survey)
         free(survey->rows[m].difference);
     }
     free(survey->rows);
+    for (unsigned i = 0; i < survey->budget_count; i++)
+        free(survey->budgets[i].plan);
+    free(survey->budgets);
     free(survey->truth);
     free(survey->covered);
     *survey = (struct survey){0};

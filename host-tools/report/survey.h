@@ -11,6 +11,7 @@
 #define SURVEY_H
 
 #include "compare/compare.h"
+#include "glint.h"
 #include "report/costs.h"
 
 #include <stdbool.h>
@@ -30,6 +31,15 @@ struct survey_row {
     uint8_t *difference; /* the same: picture_level() of what it is too bright, where compared, plus PICTURE_RIGHT */
 };
 
+/* By auto within a budget. */
+struct survey_budget {
+    unsigned budget_q8;
+    struct compare_result error;
+    uint32_t instructions[COSTS_CPUS];
+    struct glint_stats stats; /* of its frame */
+    uint8_t *plan;            /* width x height, RGB888: what it was drawn by (glint/show.h) */
+};
+
 struct survey_box {
     unsigned left, top, width, height;
 };
@@ -45,6 +55,8 @@ struct survey {
     struct survey_box box;         /* of those pixels, with a margin: what is worth showing */
     struct survey_row *rows;       /* cheapest on the first cpu first; of equals the more exact */
     unsigned count;
+    struct survey_budget *budgets; /* as costs->budgets has them; those of the file, smallest first */
+    unsigned budget_count;
 };
 
 /* Draws and measures the scene of a file by methods[count], names that exist. Returns the exit code of the command

@@ -136,8 +136,10 @@ void model_free(struct model *model)
         free(model->meshes[i].vertices);
         free(model->meshes[i].triangles);
     }
-    for (size_t i = 0; i < model->material_count; i++)
+    for (size_t i = 0; i < model->material_count; i++) {
         free(model->materials[i].name);
+        free(model->materials[i].picture);
+    }
     for (size_t i = 0; i < model->texture_count; i++) {
         free(model->textures[i].name);
         free(model->textures[i].rgb);

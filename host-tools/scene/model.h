@@ -43,6 +43,7 @@ struct model_material {
     double diffuse[3], specular[3], ka, kd, ks, shininess;
     bool flat, two_sided;
     int texture, bump; /* -1: none */
+    char *picture;     /* the file of the texture that a model names, as it names it, until it has been read; or null */
 };
 
 /* Colours, as read or made; packing brings it to powers of two. */

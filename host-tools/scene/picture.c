@@ -2,9 +2,14 @@
 #include "scene/picture.h"
 
 #include "compare/image.h"
+#include "import/import.h"
 #include "scene/scene.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
 
 int picture_load(struct model *model, const char *path, int *index)
 {
@@ -12,7 +17,9 @@ int picture_load(struct model *model, const char *path, int *index)
     *index = model_find_texture(model, path);
     if (*index >= 0)
         return 0;
-    int code = image_read_png(path, &image);
+    int code = import_check_readable(path);
+    if (!code)
+        code = image_read_png(path, &image);
     if (code)
         return code;
     struct model_texture *texture = model_add_texture(model, path);
@@ -23,6 +30,23 @@ int picture_load(struct model *model, const char *path, int *index)
     texture->rgb = image.rgb;
     *index = (int)model->texture_count - 1;
     return 0;
+}
+
+void picture_beside(const char *model_path, const char *name, struct model *model, int *index)
+{
+    const char *slash = strrchr(model_path, '/'), *ending = strrchr(name, '.');
+    const size_t folder = slash && name[0] != '/' ? (size_t)(slash - model_path) + 1 : 0;
+    char *path = model_alloc(folder + strlen(name) + 1);
+    memcpy(path, model_path, folder);
+    strcpy(path + folder, name);
+    for (char *at = path + folder; *at; at++)
+        *at = *at == '\\' ? '/' : *at; /* as such files are written elsewhere */
+    *index = -1;
+    if (!ending || strcasecmp(ending, ".png") != 0)
+        fprintf(stderr, "%s: warning: no texture: only PNG files are read\n", path);
+    else if (picture_load(model, path, index) != 0)
+        fprintf(stderr, "%s: warning: drawn without this texture\n", model_path);
+    free(path);
 }
 
 /* 0..1 of a cell's corner, by a mixer of its numbers. */

@@ -16,6 +16,10 @@ enum picture_pattern {
  * *index is -1 after a failure, of which one line has been printed. Returns an exit code. */
 int picture_load(struct model *model, const char *path, int *index);
 
+/* The same for the picture that a model names, relative to the model's folder. One that cannot be read is no error: a
+ * line on standard error says that the surface is drawn without it, and *index is -1. */
+void picture_beside(const char *model_path, const char *name, struct model *model, int *index);
+
 /* Fills a texture of size[0] x size[1] texels with cells[0] x cells[1] of a pattern; it repeats. */
 void picture_make(struct model_texture *texture, enum picture_pattern pattern, const unsigned size[2],
                   const unsigned cells[2], double colour[2][3]);

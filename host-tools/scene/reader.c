@@ -134,15 +134,10 @@ void reader_camera(const struct node *node, struct model_camera *out)
 
 static void read_fog(const struct node *node, struct model_fog *out)
 {
-    static const char *const members[] = {"", "kind colour from to", "kind colour density"};
     if (!node->value)
         return;
-    out->kind = node_member_choice(node, "kind", "none linear exponential", -1);
-    if (out->kind <= FOG_NONE) {
-        node_fail(node, "\"kind\" must be linear or exponential");
-        return;
-    }
-    node_object(node, members[out->kind]);
+    out->kind = FOG_LINEAR + node_member_choice(node, "kind", "linear exponential", -1);
+    node_object(node, out->kind == FOG_LINEAR ? "kind colour from to" : "kind colour density");
     node_member_vector(node, "colour", out->colour, 3, 0, 1);
     if (out->kind == FOG_EXPONENTIAL) {
         out->density = node_member_number(node, "density", 1e-6, 16, NAN);

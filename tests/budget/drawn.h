@@ -12,8 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A copy of a scene in which each object has a mesh of its own (of the same vertices and triangles), by which a
- * triangle's object is known. */
+/* A copy of a scene without texture, bump map and fog, in which each object has a mesh of its own (of the same vertices
+ * and triangles), by which a triangle's object is known. */
 struct drawn_scene {
     struct scene_header *scene;
     uint32_t first[SCENE_MAX_OBJECTS + 1]; /* the number of an object's first triangle */
@@ -41,6 +41,10 @@ static inline void drawn_open(struct drawn_scene *d, const struct scene_header *
         d->first[o] = count;
         count += mesh[o].triangle_count;
     }
+    struct scene_material *material = (void *)((uint8_t *)copy + copy->materials);
+    for (unsigned m = 0; m < scene->material_count; m++)
+        material[m].texture = material[m].bump = SCENE_NO_TEXTURE;
+    copy->fog.kind = FOG_NONE;
     d->scene = copy;
 }
 
@@ -60,19 +64,46 @@ static void drawn_shade(struct raster *r, int x, int y, int n)
     (void)r, (void)x, (void)y, (void)n;
 }
 
+static int drawn_same(const struct scene_vertex *a, const struct scene_vertex *b, int sign)
+{
+    int same = 1;
+    for (int i = 0; i < 3; i++)
+        same &= a->position[i] == b->position[i] && a->normal[i] == sign * b->normal[i];
+    return same;
+}
+
+/* The number, in its mesh, of the triangle in hand: a back is drawn from a copy, its corners in the other turn and its
+ * normals opposite. */
+static uint32_t drawn_index(const struct shade_input *in, const struct scene_mesh *mesh)
+{
+    const struct scene_triangle *triangles = scene_at(drawn_from->scene, mesh->triangles);
+    const struct scene_vertex *vertices = scene_at(drawn_from->scene, mesh->vertices);
+    if (in->vertices == vertices)
+        return (uint32_t)(in->triangle - triangles);
+    for (uint32_t t = 0; t < mesh->triangle_count; t++) {
+        int same = 1;
+        for (int k = 0; k < 3; k++)
+            same &=
+                drawn_same(&vertices[triangles[t].corner[k]], &in->vertices[in->triangle->corner[k ? 3 - k : 0]], -1);
+        if (same)
+            return t;
+    }
+    abort();
+}
+
+static uint32_t drawn_number; /* of the triangle in hand */
+
 static void drawn_write(struct raster *r, int x, int y, uint32_t mask)
 {
-    const struct scene_header *scene = drawn_from->scene;
-    const struct scene_mesh *mesh = r->input.object->mesh;
-    const struct scene_triangle *triangles = scene_at(scene, mesh->triangles);
-    const uint32_t number = drawn_from->first[mesh - scene_meshes(scene)] + (uint32_t)(r->input.triangle - triangles);
     for (uint32_t *to = drawn_to + (size_t)y * r->width + x; mask; mask >>= 1, to++)
         if (mask & 1)
-            *to = number;
+            *to = drawn_number;
 }
 
 static uint32_t drawn_draw(struct raster *r, struct edges *e)
 {
+    const struct scene_mesh *mesh = r->input.object->mesh;
+    drawn_number = drawn_from->first[mesh - scene_meshes(drawn_from->scene)] + drawn_index(&r->input, mesh);
     return runs_draw_by(r, e, drawn_shade, drawn_write);
 }
 

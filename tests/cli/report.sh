@@ -6,11 +6,11 @@ tiny=$scenes/tiny.json
 
 # Costs by which x takes more than phong, which is more exact: x is beaten there, and nothing else is.
 costs() {
-    echo cpu,scene,method,width,height,format,instructions
+    echo cpu,scene,method,width,height,format,instructions,picture
     for cpu in m3 m0plus; do
-        echo "$cpu,tiny,gouraud,96,72,grey8,1111000"
-        echo "$cpu,tiny,phong,96,72,grey8,2222000"
-        echo "$cpu,tiny,x,96,72,grey8,3333000"
+        echo "$cpu,tiny,gouraud,96,72,grey8,1111000,0a1"
+        echo "$cpu,tiny,phong,96,72,grey8,2222000,0a2"
+        echo "$cpu,tiny,x,96,72,grey8,3333000,0a3"
     done
 }
 flash() {
@@ -26,6 +26,26 @@ powers() {
             for power in table exact 4 8 16; do echo "$cpu,tiny,$power,$exponent,$((exponent + 7))770000"; done
         done
     done
+}
+budgets() {
+    echo cpu,scene,budget_q8,instructions
+    for cpu in m3 m0plus; do
+        for budget in 2048 512 128; do echo "$cpu,tiny,$budget,$((3000 - budget))$((5 + ${#cpu}))00"; done
+    done
+}
+choices() { # as few as there may be
+    echo choice,value,where,figure,number
+    for bits in 14 22 24; do echo "fraction,$bits,s 9,error,$((24 - bits))"; done
+    for bits in 2 3 4 5 6; do
+        echo "subpixel,$bits,s 9,psnr_db,5$bits"
+        echo "subpixel,$bits,picture,pixels,$((32768 >> bits))"
+    done
+    for steps in '64 interpolated' '128 interpolated' '1024 interpolated' '128 nearest' '1024 nearest'; do
+        echo "power,$steps,n = 5,error,.5"
+    done
+    for terms in table '1 term' '2 terms' '3 terms' exact; do echo "reciprocal,$terms,function,bits,9"; done
+    for terms in table '1 term' '2 terms'; do echo "root,$terms,s 9,calls,7000"; done
+    for terms in '1 term' '2 terms'; do echo "root,$terms,m3,instructions,${terms%% *}3.5"; done
 }
 boards() {
     echo board,what,figure,unit,number
@@ -52,10 +72,12 @@ begin() { # an empty folder with good costs
     costs >costs.csv
     flash >flash.csv
     powers >powers.csv
+    budgets >budgets.csv
+    choices >choices.csv
     boards >boards.csv
     packing >packing.csv
 }
-report=("$glint" report --costs costs.csv --flash flash.csv --powers powers.csv --boards boards.csv --packing packing.csv --stream "$tiny" --methods 'gouraud,x,phong' -o out)
+report=("$glint" report --costs costs.csv --flash flash.csv --powers powers.csv --budgets budgets.csv --choices choices.csv --effect "$tiny" --boards boards.csv --packing packing.csv --stream "$tiny" --methods 'gouraud,x,phong' -o out)
 count() { grep -o -- "$2" "$1" | wc -l; }
 equal() { # NAME VALUE WANTED
     if [ "$2" = "$3" ]; then say ok "$1"; else say FAIL "$1" "'$2', not '$3'"; fi
@@ -64,7 +86,7 @@ equal() { # NAME VALUE WANTED
 begin
 run 'a report is made' 0 "${report[@]}" "$tiny"
 matches 'it says of what' "$top/out" '^out/index\.html: 1 scene by 3 methods$'
-equal 'a page and two tables are all there is' "$(ls -A out | tr '\n' ' ')" 'index.html report.csv stream.csv '
+equal 'a page and three tables are all there is' "$(ls -A out | tr '\n' ' ')" 'index.html report.csv stream.csv sweep.csv '
 
 # the table
 equal 'the table has a line a method, cheapest first' "$(cut -d , -f 2 out/report.csv | tr '\n' ' ')" 'method gouraud phong x '
@@ -84,10 +106,24 @@ run 'its largest differences are those of the pictures' 0 awk -F, '
 run 'the more exact has the higher PSNR' 0 awk -F, '
     { psnr[$2] = $5 } END { exit !(psnr["phong"] > psnr["x"] && psnr["x"] > psnr["gouraud"] && psnr["gouraud"] > 15) }' out/report.csv
 
+# the budgets
+equal 'the sweep has a line a budget, smallest first' "$(cut -d , -f 1,2,8,9 out/sweep.csv | tr '\n' ' ')" \
+    'scene,budget,m3_instructions,m0plus_instructions tiny,0.5,2872700,28721100 tiny,2,2488700,24881100 tiny,8,952700,9521100 '
+for budget in .5 2 8; do
+    "$glint" render "$tiny" --method auto --budget $budget --format grey8 -o auto.png
+    "$glint" compare auto.png truth.png | sed -n "s/^max/${budget/./0.}/p"
+done | sed 's/^00/0/' >auto.txt
+run 'its differences are those of the pictures' 0 awk '
+    FNR == NR { max[$1] = $2; next }
+    FNR > 1 { d = max[$2] - $6; seen++; bad += d > .501 || d < -.501 }
+    END { exit bad > 0 || seen != 3 }' auto.txt FS=, out/sweep.csv
+run 'none is beyond the budget and roundings, nor is a bound beyond the budget' 0 \
+    awk -F, 'NR > 1 { bad += $6 > $2 + 1.5 || $3 > $2 } END { exit bad > 0 }' out/sweep.csv
+
 # the page
-equal 'the page shows the truth, three pictures and three differences' "$(count out/index.html '<img ')" 7
-equal 'all of them inside it' "$(count out/index.html 'src="data:image/png;base64,')" 7
-equal 'and two plots, two of the angle and two of streams' "$(count out/index.html '<svg')" 6
+equal 'the page shows the truth, three pictures, three differences, two plans, and four of an effect' "$(count out/index.html '<img ')" 13
+equal 'all of them inside it' "$(count out/index.html 'src="data:image/png;base64,')" 13
+equal 'and four plots, two of the angle and two of streams' "$(count out/index.html '<svg')" 8
 equal 'it runs and loads nothing' "$(grep -ciE '<script|<link|<iframe|@import|url\(.?http|src="[^d]' out/index.html)" 0
 matches 'it fits a phone' out/index.html '<meta name="viewport" content="width=device-width'
 matches 'and follows light or dark' out/index.html 'prefers-color-scheme:dark'
@@ -106,7 +142,13 @@ equal 'a truth says what the colours of a difference mean' "$(count out/index.ht
 for cpu in M3 'M0\+'; do
     matches "a plot says that it is of the ${cpu/\\/}" out/index.html "<text>.*million instructions a frame on $cpu<"
 done
-equal 'every method has its name in both plots' "$(count out/index.html '<text>gouraud<\|<text>x<\|<text>phong<')" 6
+equal 'every method has its name in all four plots' "$(count out/index.html '<text>gouraud<\|<text>x<\|<text>phong<')" 12
+equal 'and so has a budget' "$(count out/index.html '<text>0\.5</text>')" 4
+matches 'what to choose is said by what was measured' out/index.html 'budget 8: off by at most [0-9.]*, [0-9.]* dB, for 0\.95 million on M3 and 0\.86 times gouraud'
+matches 'and so is who is beaten by a budget' out/index.html 'No method is worth naming: '
+matches 'a scene with effects is shown as auto draws it' out/index.html 'alt="tiny, auto, budget 2"'
+matches 'a choice has its table' out/index.html '<tr><td>128 interpolated</td><td>0\.50</td></tr>'
+matches 'and what to choose, from the same figures' out/index.html '10 instructions a pixel on M3'
 
 # the sections behind the scenes
 matches 'X is worse than the line on some triangles' out/index.html '<tr><td>10°</td><td>0\.063 %</td><td>1\.047 times</td><td>0\.000 %</td>'
@@ -155,6 +197,7 @@ bad() { # NAME FILE SED-SCRIPT MESSAGE
 bad 'a missing frame' costs.csv '/m3,tiny,x/d' '^costs\.csv: no line for tiny by x on m3$'
 bad 'a missing program' flash.csv '/m0plus,phong/d' '^flash\.csv: no line for phong on m0plus$'
 bad 'a frame of another size' costs.csv 's/x,96,72/x,96,96/' '^costs\.csv:4: 96x96, but tiny is 96x72$'
+bad 'another picture on another cpu' costs.csv '5s/0a1/0b1/' '^costs\.csv:5: another picture than on another cpu$'
 bad 'a frame of another format' costs.csv '3s/grey8/rgb565/' '^costs\.csv:3: the format is not grey8$'
 bad 'a method that there is not' costs.csv '2s/gouraud/goraud/' '^costs\.csv:2: no such method'
 bad 'a cpu that there is not' flash.csv '4s/m3/m4/' '^flash\.csv:4: the cpu is neither m3 nor m0plus$'
@@ -163,6 +206,13 @@ bad 'a cost of nothing' costs.csv '2s/1111000/0/' '^costs\.csv:2: '
 bad 'a size of nothing' flash.csv '2s/,4.*/,0/' '^flash\.csv:2: the bytes are no number above 0$'
 bad 'a second count' costs.csv '3p' '^costs\.csv:4: a second line for this cpu, scene and method$'
 bad 'a second size' flash.csv '3p' '^flash\.csv:4: a second line for this cpu and method$'
+bad 'a budget of one cpu alone' budgets.csv '/m0plus,tiny,512/d' '^budgets\.csv: no line for tiny within 512 on m0plus$'
+bad 'a budget of nothing' budgets.csv '2s/2048/0/' '^budgets\.csv:2: the budget is 1\.\.65535, Q8 of 1/255$'
+bad 'a budget at no cost' budgets.csv '2s/,[0-9]*$/,0/' '^budgets\.csv:2: the instructions are no number above 0$'
+bad 'a second budget' budgets.csv '3p' '^budgets\.csv:4: a second line for this cpu, scene and budget$'
+bad 'a choice without what is said of it' choices.csv '/exact/d' '^choices\.csv: no line for reciprocal exact$'
+bad 'a choice that is no number' choices.csv '2s/,[0-9]*$/,nan/' '^choices\.csv:2: the number is none$'
+bad 'a choice that a page cannot carry' choices.csv '3s/s 9/<s>/' '^choices\.csv:3: a name has other characters '
 bad 'a missing power' powers.csv '/m0plus,tiny,8,50/d' '^powers\.csv: no line for tiny with power 8 and exponent 50 on m0plus$'
 bad 'a power that there is not' powers.csv '2s/table/fast/' '^powers\.csv:2: no such form of the power'
 bad 'an exponent of nothing' powers.csv '2s/,5,/,0,/' '^powers\.csv:2: the exponent is 1\.\.1023$'
@@ -173,7 +223,7 @@ bad 'a file that is empty' costs.csv d '^costs\.csv: empty$'
 bad 'a figure too few' boards.csv '/n,b x,whole/d' '^boards\.csv:35: not the figure that comes next$'
 bad 'a row too short' boards.csv '/m,b x,bytes/d' '^boards\.csv:19: the row before has too few figures$'
 bad 'figures cut off' boards.csv '$d' '^boards\.csv:44: figures are missing at its end$'
-bad 'a name that a page cannot carry' boards.csv '2s/m/<m>/' '^boards\.csv:2: a name is '
+bad 'a name that a page cannot carry' boards.csv '2s/m/<m>/' '^boards\.csv:2: a name has other characters '
 bad 'a figure that is no number' boards.csv '3s/,57/,x/' '^boards\.csv:3: the number is none$'
 bad 'columns too few' boards.csv '2s/,bytes//' '^boards\.csv:2: the columns are board,what,figure,unit,number$'
 bad 'packing on a cpu that there is not' packing.csv '2s/m0plus/m7/' '^packing\.csv:2: the cpu is none of m0plus, m3 and m4$'
@@ -211,8 +261,12 @@ run 'an ideal scene beside it is the truth' 0 "${report[@]}" tiny.json
 matches 'which the page says' out/index.html 'Its truth is tiny-ideal'
 begin
 run 'without powers there is a report' 0 "$glint" report --costs costs.csv --flash flash.csv --methods gouraud -o out "$tiny"
-equal 'without that section, nor streams and boards' "$(count out/index.html 'id="power"\|#power\|#boards\|id="boards"\|stream')" 0
-equal 'nor a table of streams' "$(ls -A out | tr '\n' ' ')" 'index.html report.csv '
+equal 'without that section, nor choices, effects, streams and boards' \
+    "$(count out/index.html 'id="power"\|#power\|choices\|effects\|What to choose\|#boards\|id="boards"\|stream')" 0
+equal 'nor a table of streams or budgets' "$(ls -A out | tr '\n' ' ')" 'index.html report.csv '
+begin
+run 'without names, methods are those whose flash is known' 0 "$glint" report --costs costs.csv --flash flash.csv -o out "$tiny"
+matches 'and no others' "$top/out" '1 scene by 3 methods$'
 begin
 run 'a stream of a scene that is not there is none' 3 "${report[@]}" --stream no.json "$tiny"
 matches 'and it is named' "$top/err" '^no\.json: '

@@ -4,12 +4,13 @@
  *   bench                                every scene, principal method and band count: one CSV line each
  *   bench grey8|rgb888 [METHOD...]       every scene by every method, or those, one frame at the camera's size, with
  *                                        tables; the last number is the picture's, the same on every CPU
+ *   bench budget                         every scene by auto within each of some budgets, likewise in 8-bit grey
  *   bench power                          the first scene by x, likewise, with each form and some exponents of the
  *                                        highlight's power
  *   bench SCENE METHOD BANDS TABLES N [grey8|rgb888]
  *                                        one of them, N frames, nothing printed: for profilers, which look at the calls
  *                                        of bench_frame()
- * An argument budget=N sets auto's, in 1/255.
+ * An argument budget=N sets auto's, in 1/255; texture=N is of enum glint_texture.
  */
 #include "scene/scene.h"
 #include "tests/device/program.h"
@@ -29,8 +30,10 @@ static const struct {
 } powers[] = {
     {"table", 0}, {"exact", &glint_power_exact}, {"4", &glint_power_4}, {"8", &glint_power_8}, {"16", &glint_power_16}};
 static const uint16_t exponents[] = {5, 20, 50, 200};
+static const uint16_t budgets[] = {1 << 7, 1 << 8, 2 << 8, 4 << 8, 8 << 8, 16 << 8, 32 << 8};
 
 static uint16_t bench_budget; /* of auto, Q8 in 1/255; 0: its default */
+static uint8_t bench_texture; /* enum glint_texture */
 static uint32_t bench_memory[MEMORY / 4], bench_band[BAND / 4], bench_blob[BLOB / 4];
 
 int bench_frame(struct glint_frame *frame, const void *scene, uint32_t time_ms);
@@ -56,6 +59,7 @@ static int bench_init(struct glint_frame *frame, struct glint_config *config, co
     config->method = method->method;
     config->power = power;
     config->budget = bench_budget;
+    config->texture = bench_texture;
     config->tables = tables;
     config->band_rows = (uint16_t)((config->height + bands - 1) / bands);
     glint_fit_stores(config, scene);
@@ -87,16 +91,17 @@ static int bench_complain(const char *scene, const char *method, int error)
     return 1;
 }
 
-/* The cost of one frame that holds every triangle. */
+/* The cost of one frame that holds every triangle, of many in a row: tables were filled by the one before. */
 static int bench_cost(const void *blob, const struct glint_choice *method, const struct glint_power *power,
                       enum glint_format format, struct glint_config *config, uint32_t *instructions)
 {
     struct glint_frame frame;
     int error = bench_init(&frame, config, blob, method, power, format, 1, 4);
-    program_count_start();
-    if (error == 0)
+    for (int i = 0; i < 2 && error == 0; i++) {
+        program_count_start();
         error = bench_frame(&frame, blob, 0);
-    *instructions = program_count();
+        *instructions = program_count();
+    }
     return error == 0 && frame.stats.dropped ? GLINT_E_MEMORY : error;
 }
 
@@ -111,7 +116,7 @@ static uint32_t bench_hash(const struct glint_config *config)
 static int bench_whole(const struct program_scene *scene, const struct glint_choice *method, enum glint_format format)
 {
     struct glint_config config;
-    uint32_t instructions;
+    uint32_t instructions = 0;
     int error = bench_cost(scene->blob, method, 0, format, &config, &instructions);
     if (error != 0)
         return bench_complain(scene->name, method->name, error);
@@ -128,6 +133,22 @@ static int bench_whole(const struct program_scene *scene, const struct glint_cho
     line_text(&line, ",");
     line_hex(&line, bench_hash(&config));
     line_end(&line);
+    return 0;
+}
+
+static int bench_within(const struct program_scene *scene, uint16_t budget)
+{
+    static const struct glint_choice method = {"auto", &glint_auto};
+    struct glint_config config;
+    uint32_t instructions = 0;
+    bench_budget = budget;
+    int error = bench_cost(scene->blob, &method, 0, GLINT_GREY8, &config, &instructions);
+    if (error != 0)
+        return bench_complain(scene->name, method.name, error);
+    struct line line = {.length = 0};
+    line_text(&line, scene->name);
+    const uint32_t values[] = {budget, instructions};
+    bench_fields(&line, values, COUNT(values));
     return 0;
 }
 
@@ -228,17 +249,18 @@ static int bench_asked(const char *method, int argc, char **argv)
     return asked;
 }
 
-/* `budget=N`, in 1/255, among the arguments. */
-static void bench_find_budget(int argc, char **argv)
+/* The number of `NAME=N` among the arguments, 0 without it; `name` ends in =. */
+static uint32_t bench_find(const char *name, int argc, char **argv)
 {
-    static const char name[] = "budget=";
+    uint32_t number = 0;
     for (int i = 1; i < argc; i++) {
         unsigned k = 0;
         while (name[k] && argv[i][k] == name[k])
             k++;
         if (!name[k])
-            bench_budget = (uint16_t)(text_number(argv[i] + k) << 8);
+            number = text_number(argv[i] + k);
     }
+    return number;
 }
 
 static enum glint_format bench_format(const char *name)
@@ -262,13 +284,20 @@ static int bench_run(const struct program_scene *scene, const struct glint_choic
 int program_main(int argc, char **argv)
 {
     int bad = 0;
-    bench_find_budget(argc, argv);
+    bench_budget = (uint16_t)(bench_find("budget=", argc, argv) << 8);
+    bench_texture = (uint8_t)bench_find("texture=", argc, argv);
     if (argc >= 2 && (text_equal(argv[1], "grey8") || text_equal(argv[1], "rgb888"))) {
         const enum glint_format format = bench_format(argv[1]);
         for (unsigned s = 0; s < program_scene_count; s++)
             for (unsigned m = 0; m < glint_choice_count; m++)
                 if (bench_asked(glint_choices[m].name, argc, argv))
                     bad |= bench_whole(&program_scenes[s], &glint_choices[m], format);
+        return bad;
+    }
+    if (argc == 2 && text_equal(argv[1], "budget")) {
+        for (unsigned s = 0; s < program_scene_count; s++)
+            for (unsigned b = 0; b < COUNT(budgets); b++)
+                bad |= bench_within(&program_scenes[s], budgets[b]);
         return bad;
     }
     if (argc == 2 && text_equal(argv[1], "power")) {

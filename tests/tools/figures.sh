@@ -1,9 +1,10 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# figures.sh GLINT BENCH.CSV REPORT.CSV TRAFFIC.CSV PACKING.CSV README: writes README's figures of quality and cost anew,
-# between its figure marks.
+# figures.sh GLINT BENCH.CSV REPORT.CSV TRAFFIC.CSV PACKING.CSV SWEEP.CSV README: writes README's figures of quality and
+# cost anew, between its figure marks.
 # figures.sh stream TRAFFIC.CSV PACKING.CSV: prints what pictures take as a stream, for host-tools/README.md. Both are
 # stream.csv, that of build/report and that of build/bench.
+# figures.sh budgets SWEEP.CSV REPORT.CSV: prints what budgets of auto buy, and whether its goals hold.
 # figures.sh stack: prints the one of them that says how much stack the renderer takes, from $BUILD's objects; carried: that
 # of streams, as `stream`.
 set -eu
@@ -65,11 +66,50 @@ carried() { # the same, in three lines for README
                 pixel["m0plus"]
         }' "$1" "$2"
 }
-if [ "$1" = stack ] || [ "$1" = stream ] || [ "$1" = carried ]; then
+budgets() { # SWEEP.CSV REPORT.CSV
+    echo "Error budgets: the method \`auto\` is told how many 255ths a pixel may be off, and takes for each triangle the cheapest way"
+    echo "whose bound allows it. Million instructions of a frame on M3 / largest difference, 240×240, 8-bit grey, exponent 20:"
+    echo
+    awk -F, '
+        FNR == 1 { file++; delete column; for (i = 1; i <= NF; i++) column[$i] = i; next }
+        function cell(millions, max) { return sprintf(" %.2f / %.1f |", millions / 1e6, max) }
+        {
+            key = $column["scene"] SUBSEP (file == 1 ? $column["budget"] : $column["method"])
+            cost[key] = $column["m3_instructions"]
+            most[key] = $column["max"]
+        }
+        END {
+            scenes = split("torus288 torus800 sphere690 teapot896-grey", scene, " ")
+            ways = split("gouraud 32 16 8 4 2 1 0.5 duff phong", way, " ")
+            printf "| scene |"
+            for (w = 1; w <= ways; w++) printf " %s%s |", way[w] ~ /^[0-9]/ ? "auto, " : "", way[w]
+            printf "\n|---|"
+            for (w = 1; w <= ways; w++) printf "---|"
+            printf "\n"
+            for (s = 1; s <= scenes; s++) {
+                name = scene[s]
+                if (!((name, 2) in cost)) { print "figures.sh: no budgets of " name > "/dev/stderr"; exit 1 }
+                printf "| `%s` |", name
+                for (w = 1; w <= ways; w++) printf "%s", cell(cost[name, way[w]], most[name, way[w]])
+                printf "\n"
+                less[s] = 100 - 100 * cost[name, 2] / cost[name, "duff"]
+                times[s] = cost[name, 8] / cost[name, "gouraud"]
+                quick = quick (s > 1 ? ", " : "") sprintf("%.0f", less[s]) (less[s] < 25 ? " (missed)" : "")
+                fast = fast (s > 1 ? ", " : "") sprintf("%.2f", times[s]) (times[s] > (name == "torus288" ? 2 : 1.6) ? " (missed)" : "")
+            }
+            printf "\nAt budget 2, to be a quarter cheaper than duff: %s %% cheaper. At budget 8, to cost at most 1.6 times gouraud\n", quick
+            printf "(`torus288`: twice): %s times. Commands, and a plot a scene with all methods:\n", fast
+        }' "$1" "$2"
+    echo
+    echo "    build/glint render tests/scenes/torus288.json --method auto --budget 2 --format grey8 --stats -o auto.png"
+    echo "    make report REPORT_SCENES=\"torus288 torus800 sphere690 teapot896-grey\""
+    echo
+}
+if [ "$1" = budgets ] || [ "$1" = stack ] || [ "$1" = stream ] || [ "$1" = carried ]; then
     "$@"
     exit
 fi
-glint=$1 csv=$2 report=$3 traffic=$4 packing=$5 readme=$6
+glint=$1 csv=$2 report=$3 traffic=$4 packing=$5 sweep=$6 readme=$7
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -83,6 +123,7 @@ quality() { # scene exponent command method
 }
 {
     echo
+    budgets "$sweep" "$report"
     echo "Torus of 288 triangles, 240×240, 8-bit grey, against per-pixel Phong in double precision: PSNR in dB / largest"
     echo "difference in 1/255. \"ideal\" is the same method in double precision."
     echo

@@ -57,6 +57,14 @@ suite-core: $(BENCH_ELF) $(SIZE_ELF)
 	for cpu in $(CPUS); do $(call stack_tool,$$cpu) --limit 1024 || status=1; done; \
 	$(MAKE) suite-size || status=1; exit $$status
 
+# Scenes, and parts of the random ones, side by side.
+BUDGET_BIN := $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/budget/*.c))
+BUDGET_SCENES := $(wildcard tests/scenes/*.json tests/golden/*.json)
+BUDGET_RANDOM := 0 5000 10000 15000
+suite-budget: $(BUDGET_BIN)
+	@status=0; printf '%s\n' $(BUDGET_SCENES) | xargs -P "$$(nproc)" -n 1 $(BUILD)/tests/budget/holds || status=1; \
+	printf '%s 5000\n' $(BUDGET_RANDOM) | xargs -P "$$(nproc)" -n 2 $(BUILD)/tests/budget/random || status=1; exit $$status
+
 suite-golden: $(SCENE_C)
 	@status=0; for flavour in $(MATRIX); do \
 		$(MAKE) BUILD=$(BUILD)/matrix/$$flavour CC=$${flavour%-*} OPT=-$${flavour#*-} $(BUILD)/matrix/$$flavour/golden && \
@@ -98,9 +106,9 @@ bench-table: $(BUILD)/bench/device.csv $(BUILD)/bench/bench $(PLAIN_ELF)
 	@tests/tools/bench.sh $< $(BUILD)/bench/bench
 	@echo; $(call plain,table)
 
-# What the report's program counts: $(1) the columns, $(2) its argument, $(3) the file
+# What the report's program counts: $(1) the columns, $(2) its argument, $(3) the file, $(4) which build of it
 define report_rule
-$(REPORT_CPUS:%=$(BUILD)/report/%-$(2).csv): $(BUILD)/report/%-$(2).csv: $(BUILD)/%/report.elf
+$(REPORT_CPUS:%=$(BUILD)/report/%-$(2).csv): $(BUILD)/report/%-$(2).csv: $(BUILD)/%$(4)/report.elf
 	$$(call say,COUNT,'$$< $(2)')
 	@mkdir -p $$(@D)
 	$$(Q)$$(call QEMU,$$*) -icount shift=0 -append $(2) -kernel $$< >$$@.part || { grep '^error' $$@.part >&2; false; }
@@ -110,22 +118,24 @@ $(BUILD)/report/$(3).csv: $(REPORT_CPUS:%=$(BUILD)/report/%-$(2).csv)
 	$$(Q){ echo $(subst |,$(comma),$(1)); cat $$^; } >$$@
 endef
 comma := ,
-$(eval $(call report_rule,cpu|scene|method|width|height|format|instructions,grey8,costs))
-$(eval $(call report_rule,cpu|scene|power|exponent|instructions,power,powers))
+$(eval $(call report_rule,cpu|scene|method|width|height|format|instructions|picture,grey8,costs,-report))
+$(eval $(call report_rule,cpu|scene|power|exponent|instructions,power,powers,))
+$(eval $(call report_rule,cpu|scene|budget_q8|instructions,budget,budgets,-report))
 
-$(BUILD)/report/flash.csv: $(REPORT_CPUS:%=$(BUILD)/%/report.elf) tests/tools/flash.sh
+$(BUILD)/report/flash.csv: $(REPORT_CPUS:%=$(BUILD)/%-report/report.elf) tests/tools/flash.sh
 	@mkdir -p $(@D)
 	$(Q)tests/tools/flash.sh $(REPORT_CPUS) >$@
 
-REPORT_JSON := $(foreach s,$(REPORT_SCENES),$(call scene_file,$(s)))
 REPORT_IDEAL := $(wildcard $(REPORT_JSON:.json=-ideal.json))
 STREAM_JSON := $(STREAM_SCENES:%=tests/scenes/%.json)
 # With the boards' section once `make bench-boards` has measured.
 REPORT_BOARDS := $(wildcard $(BUILD)/bench/boards.csv)
-$(BUILD)/report/index.html: $(GLINT) $(REPORT_BOARDS) $(BUILD)/report/costs.csv $(BUILD)/report/flash.csv $(BUILD)/report/powers.csv $(BUILD)/bench/stream.csv \
-		$(REPORT_JSON) $(REPORT_IDEAL) $(STREAM_JSON)
+$(BUILD)/report/index.html: $(GLINT) $(REPORT_BOARDS) $(BUILD)/report/costs.csv $(BUILD)/report/flash.csv $(BUILD)/report/powers.csv $(BUILD)/report/budgets.csv \
+		$(BUILD)/report/choices.csv $(BUILD)/bench/stream.csv \
+		$(REPORT_JSON) $(REPORT_IDEAL) $(STREAM_JSON) $(EFFECT_JSON)
 	$(Q)$(GLINT) report -o $(@D) --costs $(@D)/costs.csv --flash $(@D)/flash.csv --powers $(@D)/powers.csv \
-		--packing $(BUILD)/bench/stream.csv $(STREAM_JSON:%=--stream %) $(REPORT_BOARDS:%=--boards %) $(REPORT_JSON)
+		--budgets $(@D)/budgets.csv --choices $(@D)/choices.csv \
+		--packing $(BUILD)/bench/stream.csv $(EFFECT_JSON:%=--effect %) $(STREAM_JSON:%=--stream %) $(REPORT_BOARDS:%=--boards %) $(REPORT_JSON)
 
 report-page: $(BUILD)/report/index.html
 	@echo "$<"
@@ -172,6 +182,6 @@ lint-run:
 	clang-tidy --quiet --warnings-as-errors='*' $(CORE_SRC) $(HOST_SRC) -- -std=c11 -D_XOPEN_SOURCE=700 $(INCLUDE) \
 		$(PACKAGE_FLAGS) $(VIEW_FLAGS) || status=1; exit $$status
 
-.PHONY: suite-unit suite-exhaustive suite-cli suite-models suite-core suite-golden suite-device suite-docs suite-sanitize \
+.PHONY: suite-unit suite-budget suite-exhaustive suite-cli suite-models suite-core suite-golden suite-device suite-docs suite-sanitize \
 	suite-sanitized suite-bench bench-table bench-setup-table bench-stream-table report-page profile-run size-table stack-table golden-update lint-run \
 	always

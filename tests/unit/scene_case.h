@@ -4,6 +4,7 @@
 #define SCENE_CASE_H
 
 #include "scene/scene_effects.h"
+#include "scene/texel.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -26,6 +27,9 @@ struct scene_case {
     struct scene_light light[SCENE_MAX_LIGHTS];
     struct scene_object object[SCENE_MAX_OBJECTS];
     unsigned mesh_count, material_count, light_count, object_count;
+    const uint16_t *texels;       /* of material 0, RGB565, or null */
+    struct scene_texture texture; /* their size and flags */
+    const int16_t (*uvs)[2];      /* of mesh 0, or null */
 };
 
 /* One mesh, yet without triangles, of extent 1 unit; one white material; one light along +z; one object at the origin,
@@ -86,14 +90,28 @@ static inline void *scene_case_take(struct scene_header *blob, uint32_t *offset,
     return at;
 }
 
+static inline void scene_case_texture(struct scene_header *blob, const struct scene_case *c,
+                                      struct scene_material *material)
+{
+    const size_t count = (size_t)1 << (c->texture.log2_width + c->texture.log2_height);
+    struct scene_texture *texture = scene_case_take(blob, &blob->textures, 1, sizeof *texture, &c->texture);
+    texture->format = TEXTURE_RGB565;
+    scene_case_take(blob, &texture->texels, count, sizeof *c->texels, c->texels);
+    texture->contrast = texel_contrast(blob, texture);
+    blob->texture_count = 1;
+    material->texture = 0;
+}
+
 /* The blob, checked; to be freed by the caller. */
 static inline struct scene_header *scene_case_blob(const struct scene_case *c)
 {
     size_t size = sizeof(struct scene_header) + 4 * sizeof(struct scene_mesh) + sizeof c->object + sizeof c->light +
                   4 * (sizeof(struct scene_material) + sizeof(struct fx_power)) + 64;
     for (unsigned i = 0; i < c->mesh_count; i++)
-        size += (c->mesh[i].vertex_count * sizeof(struct scene_vertex)) +
+        size += (c->mesh[i].vertex_count * (sizeof(struct scene_vertex) + 4)) +
                 (c->mesh[i].triangle_count * sizeof(struct scene_triangle)) + 8;
+    if (c->texels)
+        size += sizeof c->texture + ((size_t)2 << (c->texture.log2_width + c->texture.log2_height));
     struct scene_header *blob = calloc(1, size);
     assert_non_null(blob);
     *blob = c->head;
@@ -114,6 +132,8 @@ static inline struct scene_header *scene_case_blob(const struct scene_case *c)
         material[i].texture = material[i].bump = SCENE_NO_TEXTURE;
         fx_power_build(&power[i], material[i].shininess);
     }
+    if (c->texels)
+        scene_case_texture(blob, c, material);
     struct scene_mesh *mesh = scene_case_take(blob, &blob->meshes, c->mesh_count, sizeof *mesh, NULL);
     for (unsigned i = 0; i < c->mesh_count; i++) {
         const struct scene_case_mesh *from = &c->mesh[i];
@@ -122,6 +142,8 @@ static inline struct scene_header *scene_case_blob(const struct scene_case *c)
         mesh[i].triangle_count = from->triangle_count;
         scene_case_take(blob, &mesh[i].vertices, from->vertex_count, sizeof *from->vertices, from->vertices);
         scene_case_take(blob, &mesh[i].triangles, from->triangle_count, sizeof *from->triangles, from->triangles);
+        if (c->uvs && i == 0)
+            scene_case_take(blob, &mesh[i].uvs, from->vertex_count, sizeof *c->uvs, c->uvs);
     }
     blob->effects = scene_effects(blob);
     blob->crc = scene_crc32(0, (const uint8_t *)blob + 16, blob->length - 16);

@@ -34,11 +34,15 @@ enum {
     EXPONENTIAL = 64, /* the fog, if there is one */
     BACK = 128,       /* a two-sided net seen from behind */
     CLIPPED = 256,    /* in perspective: by the near plane */
+    TEXTURE = 512,
 };
-#define EFFECTS 9
+#define EFFECTS 10
+#define LOG2    3 /* of a texture's sides */
 
 static struct scene_vertex vertices[SIDE * SIDE];
 static struct scene_triangle triangles[COUNT];
+static int16_t uvs[SIDE * SIDE][2];
+static uint16_t texels[1 << 2 * LOG2];
 
 static void random_net(struct scene_case *c, int back)
 {
@@ -66,6 +70,21 @@ static void random_net(struct scene_case *c, int back)
     c->mesh[0].triangles = triangles;
     c->mesh[0].vertex_count = SIDE * SIDE;
     c->mesh[0].triangle_count = COUNT;
+}
+
+/* A texel or two between vertices, of colours not far apart: what a rounding of the coordinates costs stays small. */
+static void random_texture(struct scene_case *c)
+{
+    for (int i = 0; i < 1 << 2 * LOG2; i++)
+        texels[i] = (uint16_t)(random_between(18, 31) << 11 | random_between(36, 63) << 5 | random_between(18, 31));
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        uvs[i][0] = (int16_t)((i % SIDE) * 900 + random_between(-200, 200));
+        uvs[i][1] = (int16_t)((i / SIDE) * 900 + random_between(-200, 200));
+    }
+    c->texture.log2_width = c->texture.log2_height = LOG2;
+    c->texture.flags = (uint8_t)(TEXTURE_BILINEAR | random_between(0, 3) * TEXTURE_CLAMP_U);
+    c->texels = texels;
+    c->uvs = (const int16_t(*)[2])uvs;
 }
 
 static void random_lights(struct scene_case *c, unsigned effects)
@@ -122,6 +141,8 @@ static struct scene_header *random_scene(unsigned effects)
     for (int k = 0; k < 3; k++)
         c.material[0].diffuse[k] = (uint16_t)random_between(8000, 32768);
     random_net(&c, (effects & BACK) != 0);
+    if (effects & TEXTURE)
+        random_texture(&c);
     random_lights(&c, effects);
     random_fog(&c.head.fog, effects, distance);
     return scene_case_blob(&c);
@@ -181,6 +202,32 @@ static void effects_together_are_the_truth(void **state)
     assert_true(worst > .5);
 }
 
+/* The fog has its part of the budget. */
+static void auto_keeps_its_budget(void **state)
+{
+    static const uint16_t budgets[] = {128, 256, 512, 1024, 2048, 4096, 8192};
+    double tightest = 0;
+    (void)state;
+    random_seed(3);
+    for (int i = 0; i < 400; i++) {
+        const unsigned effects = random_effects() | FOG;
+        struct scene_header *scene = random_scene(effects);
+        struct reference_image truth;
+        struct frame_case f = frame_case_small(WIDTH, HEIGHT, GLINT_RGB888);
+        f.config.method = &glint_auto;
+        f.config.budget = budgets[i % 7];
+        open_truth(scene, &truth);
+        const double most = difference(scene, f, &truth), allowed = f.config.budget / 256. + 1.5;
+        if (most > allowed)
+            fail_msg("scene %d, effects %x: off by %.2f with a budget of %.2f", i, effects, most,
+                     f.config.budget / 256.);
+        tightest = fmax(tightest, most / allowed);
+        reference_free(&truth);
+        free(scene);
+    }
+    print_message("up to %.2f of what is allowed\n", tightest);
+}
+
 static void check_same(const struct frame_case *whole, const uint8_t *wanted, const struct scene_header *scene,
                        unsigned rows, unsigned flags, const char *name)
 {
@@ -218,6 +265,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(effects_together_are_the_truth),
+        cmocka_unit_test(auto_keeps_its_budget),
         cmocka_unit_test(neither_bands_nor_the_plan_change_a_pixel),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

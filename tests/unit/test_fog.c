@@ -2,6 +2,7 @@
 /* The fog's part of a pixel against its formula, and the bounds by which a triangle's corners stand for its pixels. */
 #include "plan/fog.h"
 #include "random.h"
+#include "raster/fogged.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -142,7 +143,7 @@ static void random_depths(const struct view_case *v, int32_t depth[3])
     }
 }
 
-static const char *const names[] = {"not", "evenly", "linearly", "by pixel", "wholly"};
+static const char *const names[FOGGED_KINDS] = {"not", "evenly", "linearly", "by run", "by pixel", "wholly"};
 
 /* What a pixel with these barycentric coordinates gets, from the plan. */
 static double planned(const struct view_case *v, const struct fog_plan *plan, const int32_t depth[3],
@@ -160,7 +161,7 @@ static double planned(const struct view_case *v, const struct fog_plan *plan, co
 static void a_plan_is_within_its_error(void **state)
 {
     static const uint32_t allowances[] = {0, 8, 64, 257, 2048, 16384};
-    unsigned count[5] = {0};
+    unsigned count[FOGGED_KINDS] = {0};
     double reached = 0;
     (void)state;
     random_seed(2);
@@ -194,12 +195,50 @@ static void a_plan_is_within_its_error(void **state)
             assert_true((1 - is) * 65536 <= plan.shown + 8. + most * 65536);
         }
     }
-    for (int k = 0; k < 5; k++)
+    for (int k = 0; k < FOGGED_KINDS; k++)
         print_message("%s: %u\n", names[k], count[k]);
     print_message("up to %.2f of the bound\n", reached);
-    for (int k = 0; k < 5; k++)
-        assert_true(count[k] > 500);
+    for (int k = 0; k < FOGGED_KINDS; k++)
+        assert_true(k == FOGGED_BY_RUN || count[k] > 500); /* that is decided later */
     assert_true(reached > .9);
+}
+
+/* The part between a run's ends, in a triangle of such depths. */
+static void a_run_is_within_its_error(void **state)
+{
+    double reached = 0;
+    unsigned count = 0;
+    (void)state;
+    random_seed(4);
+    for (int i = 0; i < 60000; i++) {
+        struct view_case v;
+        int32_t depth[3], low, high;
+        open_random(&v);
+        if (!v.fog.kind)
+            continue;
+        random_depths(&v, depth);
+        low = depth[0] < depth[1] ? depth[0] : depth[1];
+        low = depth[2] < low ? depth[2] : low;
+        high = depth[0] > depth[1] ? depth[0] : depth[1];
+        high = depth[2] > high ? depth[2] : high;
+        const double step = (high - low) * random_fraction();
+        const uint32_t error = fog_run_error(&v.fog, depth, (uint32_t)ceil(step * 65536));
+        const double from = low + (high - low - step) * random_fraction(), to = from + step;
+        const double first = fog_part(&v.fog, (uint32_t)(from * 65536)),
+                     last = fog_part(&v.fog, (uint32_t)(to * 65536));
+        for (int j = 1; j < 8; j++) {
+            const double t = j / 8., at = from + t * step;
+            const double off = fabs(first + t * (last - first) - fog_part(&v.fog, (uint32_t)(at * 65536)));
+            if (off > error + 16) /* roundings of the parts themselves */
+                fail_msg("run %d: off by %.1f, not %u", i, off, error);
+            if (error > 200 && error < 65536) {
+                reached = fmax(reached, off / error);
+                count++;
+            }
+        }
+    }
+    print_message("up to %.2f of the bound, %u\n", reached, count);
+    assert_true(count > 10000 && reached > .8);
 }
 
 static void what_is_left_out_cannot_show(void **state)
@@ -225,6 +264,31 @@ static void what_is_left_out_cannot_show(void **state)
         assert_int_equal(all.kind, FOGGED_EVENLY);
         assert_int_equal(plan.part[0], plan.kind == FOGGED_NOT ? 0 : 16384);
     }
+}
+
+/* What auto's plan may err by, as far as it shows, and what the fog does: together the budget. */
+static void the_budget_is_divided_not_passed(void **state)
+{
+    static struct raster r;
+    unsigned more = 0;
+    (void)state;
+    random_seed(5);
+    for (int i = 0; i < 100000; i++) {
+        r.fog.kind = FOG_LINEAR;
+        r.fog_plan.kind = (uint8_t)random_between(FOGGED_EVENLY, FOGGED_BY_PIXEL);
+        r.fog_plan.shown = (uint32_t)random_between(0, 65536) >> random_between(0, 8);
+        r.fog_plan.error = (uint32_t)random_between(0, 500);
+        r.plan_budget = (uint16_t)random_between(0, 8192);
+        r.fog_allowed = r.plan_budget / 4;
+        const double own = fogged_budget(&r) * (r.fog_plan.shown / 65536.);
+        const double fog = r.fog_plan.error + (double)r.fog_allowed;
+        if (own > 0 && own + fog > r.plan_budget)
+            fail_msg("%.1f and %.1f of %d", own, fog, r.plan_budget);
+        more += fogged_budget(&r) > r.plan_budget;
+    }
+    assert_true(more > 10000);
+    r.fog_plan.kind = FOGGED_NOT;
+    assert_int_equal(fogged_budget(&r), r.plan_budget);
 }
 
 static void fog_behind_the_far_plane_is_none(void **state)
@@ -270,7 +334,9 @@ int main(void)
         cmocka_unit_test(a_part_is_its_formula_within_what_is_written),
         cmocka_unit_test(the_error_written_is_nearly_reached),
         cmocka_unit_test(a_plan_is_within_its_error),
+        cmocka_unit_test(a_run_is_within_its_error),
         cmocka_unit_test(what_is_left_out_cannot_show),
+        cmocka_unit_test(the_budget_is_divided_not_passed),
         cmocka_unit_test(fog_behind_the_far_plane_is_none),
         cmocka_unit_test(extremes_are_drawn),
     };

@@ -298,7 +298,7 @@ static void an_edge_bends_alike_in_both_its_triangles(void **state)
             for (int axis = 0; axis < 3; axis++)
                 assert_true(abs(n.bulge[axis][0] - m.bulge[axis][0]) <= (pass ? 1 << 13 : 1 << 7));
             normal_quadratic_lee_jen(t.corner, 7, &n);
-            normal_quadratic_lee_jen(u.corner, &m);
+            normal_quadratic_lee_jen(u.corner, 7, &m);
             count += plane;
         }
     }
@@ -366,7 +366,7 @@ static void pieces_have_the_normals_of_their_triangle(void **state)
         if (i & 1)
             normal_quadratic_overveld(t.corner, &whole);
         else
-            normal_quadratic_lee_jen(t.corner, &whole);
+            normal_quadratic_lee_jen(t.corner, 7, &whole);
         for (int k = 0; k < 3; k++) {
             random_weights(l);
             w[k][0] = (uint16_t)lrint(l[0] * 32767);

@@ -84,25 +84,44 @@ static void given_normals_are_kept(void **state)
     model_free(&m);
 }
 
-/* The glTF below: one triangle, its 36 bytes of positions in base64, and a material. */
-static void metal_and_roughness_become_a_highlight(void **state)
+/* Imports a glTF of one triangle, its 36 bytes of positions in base64, and a material "gold" with these members more.
+ */
+static struct model import_gold(const char *members)
 {
-    (void)state;
-    static const char gltf[] =
+    static const char text[] =
         "{\"asset\": {\"version\": \"2.0\"}, \"scene\": 0, \"scenes\": [{\"nodes\": [0]}], \"nodes\": [{\"mesh\": 0}], "
         "\"meshes\": [{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"material\": 0}]}], "
-        "\"materials\": [{\"name\": \"gold\", \"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 0.5, 0, 1], "
+        "\"materials\": [{\"name\": \"gold\", %s\"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 0.5, 0, 1], "
         "\"metallicFactor\": 1, \"roughnessFactor\": 0.5}}], "
         "\"accessors\": [{\"bufferView\": 0, \"componentType\": 5126, \"count\": 3, \"type\": \"VEC3\", "
         "\"min\": [0, 0, 0], \"max\": [1, 1, 0]}], "
         "\"bufferViews\": [{\"buffer\": 0, \"byteLength\": 36}], \"buffers\": [{\"byteLength\": 36, \"uri\": "
         "\"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}]}";
+    char gltf[sizeof text + 64];
     struct case_file file;
     struct model m = {0};
+    snprintf(gltf, sizeof gltf, text, members);
     case_write(&file, "t.gltf", gltf, strlen(gltf));
     model_add_mesh(&m, "m");
     assert_int_equal(import_file(file.path, 1, &m, 0), 0);
     case_remove(&file);
+    return m;
+}
+
+static void a_double_sided_material_has_two_sides(void **state)
+{
+    (void)state;
+    for (int two_sided = 0; two_sided < 2; two_sided++) {
+        struct model m = import_gold(two_sided ? "\"doubleSided\": true, " : "");
+        assert_int_equal(m.materials[model_find_material(&m, "gold")].two_sided, two_sided);
+        model_free(&m);
+    }
+}
+
+static void metal_and_roughness_become_a_highlight(void **state)
+{
+    (void)state;
+    struct model m = import_gold("");
     const struct model_material *gold = &m.materials[model_find_material(&m, "gold")];
     assert_int_equal(m.meshes[0].triangle_count, 1);
     assert_true(fabs(gold->shininess - 30) < 1e-3);
@@ -295,6 +314,7 @@ int main(void)
         cmocka_unit_test(a_material_without_exponent_has_no_highlight),
         cmocka_unit_test(an_exponent_beyond_the_tables_is_clamped),
         cmocka_unit_test(given_normals_are_kept),
+        cmocka_unit_test(a_double_sided_material_has_two_sides),
         cmocka_unit_test(metal_and_roughness_become_a_highlight),
         cmocka_unit_test(smoothing_finds_a_spheres_normals),
         cmocka_unit_test(creases_stay_sharp_and_others_round),

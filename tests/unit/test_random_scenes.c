@@ -92,7 +92,8 @@ static struct scene_header *random_scene(double lean, const uint16_t *exponents,
 
 static int is_compared(const char *name)
 {
-    return strncmp(name, "subdivide", 9) != 0 && strncmp(name, "hybrid", 6) != 0 && strcmp(name, "flat") != 0;
+    return (strncmp(name, "phong", 5) == 0 || method_find(name) >= 0) && strncmp(name, "subdivide", 9) != 0 &&
+           strncmp(name, "hybrid", 6) != 0 && strcmp(name, "flat") != 0;
 }
 
 static enum reference_method ideal_of(const char *name)

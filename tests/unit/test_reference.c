@@ -64,7 +64,12 @@ static void scene_start(void)
     scene.mesh.vertices = offsetof(struct scene, vertices);
     scene.mesh.triangles = offsetof(struct scene, triangles);
     scene.mesh.extent = 64 << 16;
-    scene.material = (struct scene_material){.ka = q15(.25), .kd = q15(.5), .ks = q15(.25), .shininess = 8};
+    scene.material = (struct scene_material){.ka = q15(.25),
+                                             .kd = q15(.5),
+                                             .ks = q15(.25),
+                                             .shininess = 8,
+                                             .texture = SCENE_NO_TEXTURE,
+                                             .bump = SCENE_NO_TEXTURE};
     scene.light.kind = LIGHT_DIRECTIONAL;
     scene.object = object;
     for (int i = 0; i < 3; i++) {

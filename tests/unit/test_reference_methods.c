@@ -54,6 +54,7 @@ static void finish(struct fixture *f)
         f->bend[e] = (1 - vec_dot(f->corner[e].normal, f->corner[(e + 1) % 3].normal)) / 2;
     shading_material(&f->shading, &f->view, &material, 3);
     f->shading.tolerance = 4 / 255.;
+    f->shading.edges = 7;
 }
 
 /* A triangle in front of the eye, and somewhere in the picture, whose unit normals lean up to `lean` from the viewer's

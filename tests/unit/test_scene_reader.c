@@ -46,8 +46,8 @@ static void structure_errors_name_the_place(void **state)
     (void)state;
     refuse("[]", " must be an object");
     refuse("{}", " camera: missing");
-    refuse("{\"colour\": 1}", " unknown member \"colour\"; known are: materials meshes objects lights camera ambient "
-                              "background duration");
+    refuse("{\"colour\": 1}", " unknown member \"colour\"; known are: materials textures bumps meshes objects lights camera "
+                              "ambient background fog duration");
     refuse("{" CAM "\"objects\": {}}", " objects: must be an array");
     refuse("{" CAM "\"objects\": [{\"mesh\": \"foo\"}]}", " objects[0].mesh: no mesh named \"foo\"");
     refuse("{" CAM MESH "\"objects\": [{\"mesh\": \"m\"}, {\"mesh\": \"m\", \"material\": \"gold\"}]}",
@@ -65,6 +65,42 @@ static void structure_errors_name_the_place(void **state)
     refuse("{" CAM "\"meshes\": {\"m\": {}}}", " meshes.m: must be an object with either \"file\" or \"shape\"");
     refuse("{" CAM "\"lights\": [{\"type\": \"point\", \"towards\": [0, 1, 0]}]}", " lights[0].position: missing");
     refuse("{" CAM "\"materials\": {\"a\": {\"flat\": 1}}}", " materials.a.flat: must be true or false");
+}
+
+static void a_fog_is_read_or_refused(void **state)
+{
+    char said[1024];
+    struct pack_result r;
+    (void)state;
+    assert_int_equal(case_load("s.json",
+                               "{" CAM MESH "\"objects\": [{\"mesh\": \"m\"}], \"fog\": {\"kind\": \"linear\", "
+                               "\"colour\": [0.5, 1, 0], \"from\": 2, \"to\": 4.5}}",
+                               &r, said, sizeof said),
+                     0);
+    const struct scene_fog *fog = &r.scene->fog;
+    assert_int_equal(fog->kind, FOG_LINEAR);
+    assert_int_equal(fog->colour[0], 1 << 14);
+    assert_int_equal(fog->from, 2 << 16);
+    assert_int_equal(fog->to, 9 << 15);
+    assert_true(r.scene->effects & USES_FOG);
+    pack_free(&r);
+    assert_int_equal(case_load("s.json",
+                               "{" CAM MESH "\"objects\": [{\"mesh\": \"m\"}], \"fog\": {\"kind\": "
+                               "\"exponential\", \"density\": 0.25}}",
+                               &r, said, sizeof said),
+                     0);
+    assert_int_equal(r.scene->fog.kind, FOG_EXPONENTIAL);
+    assert_int_equal(r.scene->fog.density, 1 << 22);
+    pack_free(&r);
+    refuse("{" CAM "\"fog\": {\"from\": 1}}", " fog.kind: missing");
+    refuse("{" CAM "\"fog\": {\"kind\": \"thick\"}}", " fog.kind: \"thick\" is none of: linear exponential");
+    refuse("{" CAM "\"fog\": {\"kind\": \"linear\", \"from\": 1}}", " fog.to: missing");
+    refuse("{" CAM "\"fog\": {\"kind\": \"linear\", \"from\": 2, \"to\": 2}}",
+           " fog: \"from\" must be less than \"to\"");
+    refuse("{" CAM "\"fog\": {\"kind\": \"exponential\", \"to\": 2}}",
+           " fog: unknown member \"to\"; known are: kind colour density");
+    refuse("{" CAM "\"fog\": {\"kind\": \"exponential\", \"density\": 0}}", " fog.density: 0 is outside 1e-06 .. 16");
+    refuse("{" CAM "\"materials\": {\"a\": {\"two_sided\": 1}}}", " materials.a.two_sided: must be true or false");
 }
 
 static void numbers_out_of_range_are_refused(void **state)
@@ -338,6 +374,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(syntax_errors_name_the_line),
         cmocka_unit_test(structure_errors_name_the_place),
+        cmocka_unit_test(a_fog_is_read_or_refused),
         cmocka_unit_test(numbers_out_of_range_are_refused),
         cmocka_unit_test(bad_triangles_are_refused),
         cmocka_unit_test(bad_patches_are_refused),

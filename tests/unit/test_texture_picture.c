@@ -1,0 +1,204 @@
+/* SPDX-License-Identifier: MIT */
+/* Textured pictures against double precision: formats, filters, borders, methods, lights and pixel formats. */
+#include "compare/compare.h"
+#include "glint/renderer.h"
+#include "reference/method.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "frame_case.h"
+#include "pack_case.h"
+
+/* A board that is clipped by the near plane, beside a ball and a box of texture on a point, under a far and a near
+ * light. `texture` are members of the texture, `lights` the lights. */
+static struct pack_result load(const char *texture, const char *lights)
+{
+    char text[2048], said[256];
+    struct pack_result r;
+    snprintf(
+        text, sizeof text,
+        "{\"camera\": {\"size\": [120, 90], \"focal\": 110, \"position\": [0, 0.7, 1.9], \"look_at\": [0, 0.1, 0], "
+        "\"near\": 0.5, \"far\": 8}, \"ambient\": [0.25, 0.25, 0.25], \"lights\": [%s], "
+        "\"textures\": {\"t\": {%s}}, "
+        "\"materials\": {\"board\": {\"texture\": \"t\", \"kd\": 0.7, \"ks\": 0.5, \"shininess\": 20}, "
+        "\"ball\": {\"texture\": \"t\", \"diffuse\": [1, 0.8, 0.6], \"kd\": 0.6, \"ks\": 0.4, \"shininess\": 12}}, "
+        "\"meshes\": {\"board\": {\"shape\": \"plane\", \"size\": [3, 6], \"segments\": 2, \"material\": \"board\"}, "
+        "\"ball\": {\"shape\": \"sphere\", \"radius\": 0.4, \"slices\": 12, \"stacks\": 8, \"material\": \"ball\"}}, "
+        "\"objects\": [{\"mesh\": \"board\"}, {\"mesh\": \"ball\", \"transform\": [{\"move\": [0, 0.5, 0]}]}]}",
+        lights, texture);
+    assert_int_equal(case_load("scene.json", text, &r, said, sizeof said), 0);
+    assert_string_equal(said, "");
+    return r;
+}
+
+#define FAR_LIGHT  "{\"towards\": [0.4, 0.8, 0.5], \"colour\": [0.8, 0.8, 0.8]}"
+#define NEAR_LIGHT "{\"type\": \"point\", \"position\": [-1, 1, 1], \"colour\": [0.5, 0.5, 0.5]}"
+#define CHECKER    "\"pattern\": \"checker\", \"size\": [16, 16], \"cells\": [4, 4]"
+#define NOISE \
+    "\"pattern\": \"noise\", \"size\": [32, 16], \"cells\": [4, 2], \"colours\": [[0.9, 0.2, 0.1], [0.1, 0.7, 1]]"
+
+/* How a picture in 8-bit grey or colour differs from the truth. `edges`: pixels left out, whose truth changes by much
+ * within 1/50 pixel, as at the edge of a nearest texel. */
+static struct compare_result measure(const struct scene_header *scene, struct glint_config config)
+{
+    const unsigned width = scene->camera.reference_width, height = scene->camera.reference_height;
+    const struct reference_options options = {.grey = config.format == GLINT_GREY8};
+    struct reference_image truth;
+    struct compare_result result;
+    config.width = (uint16_t)width;
+    config.height = (uint16_t)height;
+    uint8_t *picture = frame_case_picture((struct frame_case){.config = config}, scene, 0, NULL);
+    assert_true(reference_render(scene, &options, &truth));
+    const size_t values = (size_t)width * height * truth.channels;
+    double *drawn = malloc(values * sizeof *drawn);
+    assert_non_null(drawn);
+    for (size_t i = 0; i < values; i++) {
+        drawn[i] = picture[i];
+        truth.value[i] *= 255;
+    }
+    compare_values(drawn, truth.value, truth.covered, (size_t)width * height, truth.channels, &result);
+    reference_free(&truth);
+    free(picture);
+    free(drawn);
+    return result;
+}
+
+/* Interpolated texels: each pixel of per-pixel Phong within a step and a half, half a step of which is rounding. */
+static void bilinear_textures_are_within_1_5_of_the_truth(void **state)
+{
+    (void)state;
+    static const char *const formats[] = {"rgb565", "palette8"}, *const wraps[] = {"\"repeat\"",
+                                                                                   "[\"clamp\", \"repeat\"]",
+                                                                                   "\"clamp\""};
+    static const char *const lights[] = {FAR_LIGHT, FAR_LIGHT ", " NEAR_LIGHT};
+    for (int f = 0; f < 2; f++)
+        for (int w = 0; w < 3; w++)
+            for (int l = 0; l < 2; l++) {
+                char text[512];
+                snprintf(text, sizeof text, "%s, \"format\": \"%s\", \"wrap\": %s", f == w % 2 ? CHECKER : NOISE,
+                         formats[f], wraps[w]);
+                struct pack_result r = load(text, lights[l]);
+                for (unsigned format = GLINT_RGB888; format <= GLINT_GREY8; format++) {
+                    const struct compare_result d = measure(
+                        r.scene, (struct glint_config){.format = (uint8_t)format, .method = &glint_phong_perspective});
+                    if (d.max > 1.5)
+                        fail_msg("%s, %d lights, format %u: %.2f", text, l + 1, format, d.max);
+                }
+                pack_free(&r);
+            }
+}
+
+/* The nearest texel is a step: at its edge a pixel may take the other side's. */
+static void nearest_texels_are_the_truth_but_for_pixels_on_their_edges(void **state)
+{
+    (void)state;
+    static const char *const formats[] = {"rgb565", "palette8"};
+    for (int f = 0; f < 2; f++) {
+        char text[512];
+        snprintf(text, sizeof text, "%s, \"format\": \"%s\", \"filter\": \"nearest\"", f ? NOISE : CHECKER, formats[f]);
+        struct pack_result r = load(text, FAR_LIGHT);
+        for (unsigned format = GLINT_RGB888; format <= GLINT_GREY8; format++) {
+            const struct compare_result d =
+                measure(r.scene, (struct glint_config){.format = (uint8_t)format, .method = &glint_phong_perspective});
+            if (d.p999 > 1.5)
+                fail_msg("%s, format %u: %.2f", text, format, d.p999);
+        }
+        pack_free(&r);
+    }
+}
+
+/* Every method with every kind: as far from the truth as the method is, or as the kind may be. */
+static void every_method_takes_textures(void **state)
+{
+    (void)state;
+    struct pack_result r = load(NOISE, FAR_LIGHT);
+    for (unsigned m = 0; m < glint_choice_count; m++) {
+        const struct glint_config config = {.format = GLINT_RGB888, .method = glint_choices[m].method};
+        const double psnr = measure(r.scene, config).psnr_db;
+        if (psnr < (strcmp(glint_choices[m].name, "flat") == 0 ? 20 : 25))
+            fail_msg("%s: %.1f dB", glint_choices[m].name, psnr);
+    }
+    pack_free(&r);
+}
+
+static void kinds_err_in_the_order_of_their_cost(void **state)
+{
+    (void)state;
+    struct pack_result r = load(NOISE, FAR_LIGHT);
+    double psnr[GLINT_TEXTURES];
+    for (uint8_t kind = GLINT_TEXTURE_AFFINE; kind < GLINT_TEXTURES; kind++)
+        psnr[kind] =
+            measure(r.scene,
+                    (struct glint_config){.format = GLINT_RGB888, .method = &glint_phong_perspective, .texture = kind})
+                .psnr_db;
+    print_message("affine %.1f, quadratic %.1f, split %.1f, perspective %.1f dB\n", psnr[GLINT_TEXTURE_AFFINE],
+                  psnr[GLINT_TEXTURE_QUADRATIC], psnr[GLINT_TEXTURE_SPLIT], psnr[GLINT_TEXTURE_PERSPECTIVE]);
+    assert_true(psnr[GLINT_TEXTURE_AFFINE] + 5 < psnr[GLINT_TEXTURE_QUADRATIC]);
+    assert_true(psnr[GLINT_TEXTURE_QUADRATIC] + 5 < psnr[GLINT_TEXTURE_SPLIT]);
+    assert_true(fabs(psnr[GLINT_TEXTURE_SPLIT] - psnr[GLINT_TEXTURE_PERSPECTIVE]) < 2);
+    assert_true(psnr[GLINT_TEXTURE_PERSPECTIVE] > 58);
+    pack_free(&r);
+}
+
+/* The budget is kept with textures, by auto and by splitting with per-pixel Phong. */
+static void the_budget_is_kept(void **state)
+{
+    (void)state;
+    struct pack_result r = load(NOISE, FAR_LIGHT), two = load(NOISE, FAR_LIGHT ", " NEAR_LIGHT);
+    const struct scene_header *const scene[2] = {r.scene, two.scene};
+    for (unsigned budget = 1; budget <= 32; budget *= 2)
+        for (int s = 0; s < 2; s++)
+            for (unsigned format = GLINT_RGB888; format <= GLINT_GREY8; format++) {
+                struct glint_config config = {
+                    .format = (uint8_t)format, .method = &glint_auto, .budget = (uint16_t)(budget << 8)};
+                assert_true(measure(scene[s], config).max <= budget + 1.5);
+                config.method = &glint_phong_perspective;
+                config.texture = GLINT_TEXTURE_SPLIT;
+                assert_true(measure(scene[s], config).max <= budget + 1.5);
+            }
+    pack_free(&r);
+    pack_free(&two);
+}
+
+static void bands_of_any_height_give_the_same_pixels(void **state)
+{
+    (void)state;
+    struct pack_result r = load(CHECKER ", \"wrap\": \"clamp\"", FAR_LIGHT);
+    for (unsigned m = 0; m < glint_choice_count; m++)
+        for (uint8_t kind = 0; kind < GLINT_TEXTURES; kind++) {
+            struct frame_case f = frame_case_small(120, 90, GLINT_RGB565);
+            f.config.method = glint_choices[m].method;
+            f.config.texture = kind;
+            f.config.tables = 1;
+            uint8_t *whole = frame_case_picture(f, r.scene, 0, NULL);
+            f.config.band_rows = 7;
+            uint8_t *bands = frame_case_picture(f, r.scene, 0, NULL);
+            if (memcmp(whole, bands, 120 * 90 * 2) != 0)
+                fail_msg("%s, kind %u", glint_choices[m].name, kind);
+            free(whole);
+            free(bands);
+        }
+    pack_free(&r);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(bilinear_textures_are_within_1_5_of_the_truth),
+        cmocka_unit_test(nearest_texels_are_the_truth_but_for_pixels_on_their_edges),
+        cmocka_unit_test(every_method_takes_textures),
+        cmocka_unit_test(kinds_err_in_the_order_of_their_cost),
+        cmocka_unit_test(the_budget_is_kept),
+        cmocka_unit_test(bands_of_any_height_give_the_same_pixels),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
