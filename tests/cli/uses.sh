@@ -12,7 +12,7 @@ fresh
 needs 'a still scene from far away' torus288 'specular orthographic'
 needs 'one without a highlight' plain-torus288 'orthographic'
 needs 'two lights' plain-dome-behind 'orthographic several-lights'
-needs 'near lights and eye' teapot896 'specular point-light local-viewer perspective several-lights'
+needs 'near lights and eye' teapot896 'specular point-light local-viewer perspective several-lights clipping'
 needs 'a scene that moves' demo 'specular perspective spin'
 for pair in texture:texture-quad bump:bump-torus288 fog:fog-linear two-sided:two-sided-bowl; do
     file=$(find "$scenes" -name "${pair#*:}*.json" | sort | head -n 1)

@@ -69,4 +69,4 @@ awk -F, -v mode="$mode" '
             verdict(worst < BEHIND, sprintf("on %s a light that reaches nothing takes at most %.1f of %.1f %% more a frame", c, worst, BEHIND))
         }
         exit bad > 0
-    }' EVERYTHING=2 BEHIND=3 "$work/rows"
+    }' EVERYTHING=4 BEHIND=3 "$work/rows"
