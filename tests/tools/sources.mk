@@ -27,7 +27,7 @@ ALL_SRC = $(shell find firmware hal host-tools boards tests -name '*.[ch]')
 # The scenes as C, each a symbol scene_<name>; and the lists that the golden and the bench programs walk.
 export SCENE_DIR ?= $(BUILD)/scenes
 GOLDEN_SCENES := mini clip back materials torus288 torus512 torus800 sphere168 sphere690 torus288-persp torus512-persp \
-	torus800-persp sphere168-persp sphere690-persp serpentine zigzag strip teapot896 bulb pawn bench-torus288 demo
+	torus800-persp sphere168-persp sphere690-persp serpentine zigzag strip teapot896 bulb pawn bench-torus288 demo texture-quad texture-teapot
 BENCH_SCENES := bench-torus288 bench-torus4000
 # What `make report` measures; the first is the page's summary and the README's.
 with_persp = $(foreach s,$(1),$(s) $(if $(wildcard tests/scenes/$(s)-persp.json),$(s)-persp))
