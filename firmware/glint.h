@@ -78,6 +78,8 @@ extern const struct glint_method glint_hybrid_x;            /* adaptive: by x */
  * nothing but the ambient part, one colour, gouraud, N.L and N.H linear or quadratic each, duff or phong; and of each
  * light's parts only those that can show. firmware/plan/README.md has the bounds. */
 extern const struct glint_method glint_auto;
+extern const struct glint_method glint_auto_shown; /* a picture of what auto does: each triangle in the colour of what
+                                                      it is drawn by (README.md's legend) */
 #define GLINT_BUDGET(num, den) ((uint16_t)((256u * (num) + (den) / 2) / (den))) /* num/den 255ths as config.budget */
 
 /* Their places in the statistics; the adaptive ones and auto count under what they draw by. */

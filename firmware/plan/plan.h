@@ -81,7 +81,8 @@ void plan_triangle(struct shade_plan *plan, const struct plan_surface *surface, 
 /* The same for any number of lights and in perspective: what plan_triangle() calls where it has no short cut. */
 void plan_several(struct shade_plan *plan, const struct plan_surface *surface, const struct plan_triangle *triangle);
 
-/* Makes a plan compute what is hidden all the same, of the first light: which loop draws depends on whether others show.
+/* Makes a plan compute what is hidden all the same, of the first light: which loop draws depends on whether others
+ * show.
  */
 void plan_keep(struct shade_plan *plan);
 

@@ -161,8 +161,8 @@ static void take_parts(const struct work *w, struct shade_plan *plan)
 {
     uint32_t total = w->linear;
     plan->rung = PLAN_LINEAR;
-    for (unsigned i = w->parts; i-- > 0;) {
-        const struct part *p = &w->part[i];
+    for (unsigned left = w->parts; left > 0; left--) {
+        const struct part *p = &w->part[left - 1];
         const uint8_t bit = (uint8_t)(1u << p->light);
         const uint32_t rest = total - (p->bent ? p->six : p->linear);
         if (p->highlight && rest + p->none <= w->s->budget) {

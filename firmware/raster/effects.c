@@ -55,7 +55,7 @@ static int glosses(const struct raster *r, const struct glint_method *method)
 }
 
 /* Sets up how texture coordinates are found, if the set-up of a bump map has not. 1: by splitting. */
-static int choose_kind(struct raster *r, const struct glint_method *method)
+static __attribute__((noinline)) int choose_kind(struct raster *r, const struct glint_method *method)
 {
     struct shade_input *in = &r->input;
     const struct surface_texture *texture = &r->surface.texture;
@@ -75,7 +75,7 @@ static int choose_kind(struct raster *r, const struct glint_method *method)
         kind = GLINT_TEXTURE_QUADRATIC;
     if (kind == GLINT_TEXTURE_SPLIT && method->run && split_begin(r, &uv))
         return 1;
-    uv_setup(&r->setup, &uv, kind);
+    uv_setup_corners(&r->setup, &uv, kind);
     return 0;
 }
 

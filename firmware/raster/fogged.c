@@ -29,21 +29,22 @@ unsigned fogged_plan(struct raster *r)
     struct shade_input *in = &r->input;
     int32_t depth[3];
     find_depths(in, depth);
-    /* A colour table's pixels are not those of a run to the last bit: without the plan it keeps what it draws. */
-    fog_choose(&r->fog, depth, r->fog_allowed, in->no_plan && !in->tabled, plan);
+    /* What goes straight into the band is not what runs make of it to the last bit: without the plan it stays that. */
+    fog_choose(&r->fog, depth, r->fog_allowed, in->no_plan && !r->surface_table && !r->fold && !r->fog_planned, plan);
     if (plan->kind == FOGGED_WHOLLY) {
         r->effects = 0;
         in->plan = (struct shade_plan){0};
     } else if (plan->kind != FOGGED_NOT) {
         r->effects |= USES_FOG;
     }
+    r->surface.fold = r->effects ? 0 : r->fold; /* runs have N.L itself */
     return plan->kind;
 }
 
 /* Halvings by which the fog takes from what is off in a triangle's own colour. */
 static unsigned faded(const struct fog_plan *plan)
 {
-    return plan->shown ? fx_clz(plan->shown) - 15 : 16; /* shown <= 2^16 */
+    return plan->shown > 1 ? fx_clz(plan->shown - 1) - 16 : 16; /* shown <= 2^16: the next power of 2 above it */
 }
 
 uint16_t fogged_budget(const struct raster *r)

@@ -65,6 +65,7 @@ struct raster {
     uint16_t budget;                   /* of auto, Q8 of 1/255 */
     uint16_t surface_material;         /* which one `surface` holds; 0xffff: none */
     const struct table *surface_table; /* made for `surface`; null: none, or not looked for yet */
+    uint16_t fold;                     /* the surface's, of triangles without fog */
     const struct table *plan_table;    /* auto: the surface's, which a triangle takes where the budget has room for */
     uint16_t table_off;                /* what it is off by, Q8 of 1/255 */
     void *table;                       /* one for each of the first r->tables materials, table_bytes() each */

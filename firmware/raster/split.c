@@ -10,7 +10,6 @@
 /* A triangle that is or may be split: its corners' weights, as struct part_corner has them. */
 struct piece {
     uint16_t weight[3][2];
-    uint8_t next; /* the next of its 4 parts to be drawn */
 };
 
 /* A part's coordinates, and what they have to be divided by. */
@@ -35,32 +34,30 @@ static void find_corners(const struct uv_corners *whole, const struct piece *pie
     }
 }
 
-/* The channels over a part; 0 where it is too thin. Values are taken from corner 0's, in Q14 of 2^14 at most: of
- * differences up to 2^13, bulges are at most 2^28. */
-static int set_channels(struct raster *r, const struct uv_corners *uv, const struct part_corner *const corner[3])
+/* What a channel over a part is made of: values from corner 0's on, in Q14 of 2^14 at most, and bulges in Q28, which of
+ * differences up to 2^13 are at most 2^28; both times 2^up. */
+struct terms {
+    int32_t value[3], bulge[3];
+    int up;
+};
+
+static __attribute__((noinline)) void find_terms(struct terms *terms, const struct uv_corners *uv, int axis)
 {
-    struct shade_setup *setup = &r->setup;
-    for (int axis = 0; axis < 2; axis++) {
-        const int32_t *u = uv->value[axis];
-        int32_t value[3], bulge[3];
-        int64_t most = 0;
-        int down = 8;
-        for (int k = 0; k < 3; k++) {
-            const int64_t d = (int64_t)u[k] - u[0];
-            most |= d < 0 ? -d : d;
-        }
-        while (most >> down > (1 << 13) - 2)
-            down++;
-        for (int k = 0; k < 3; k++) {
-            const int next = k == 2 ? 0 : k + 1;
-            value[k] = (int32_t)(((int64_t)u[k] - u[0] + (1 << (down - 1))) >> down);
-            bulge[k] = (int32_t) - ((((int64_t)u[k] - u[next]) * uv_ratio(uv->s[k], uv->s[next])) >> (15 + down));
-        }
-        if (!part_channel(setup, &r->input, corner, value, bulge, down - 16, &setup->uv[axis]))
-            return 0;
-        setup->uv[axis].p.f += (uint32_t)u[0];
+    const int32_t *u = uv->value[axis];
+    int64_t most = 0;
+    int down = 8;
+    for (int k = 0; k < 3; k++) {
+        const int64_t d = (int64_t)u[k] - u[0];
+        most |= d < 0 ? -d : d;
     }
-    return 1;
+    while (most >> down > (1 << 13) - 2)
+        down++;
+    for (int k = 0; k < 3; k++) {
+        const int next = k == 2 ? 0 : k + 1;
+        terms->value[k] = (int32_t)(((int64_t)u[k] - u[0] + (1 << (down - 1))) >> down);
+        terms->bulge[k] = (int32_t) - ((((int64_t)u[k] - u[next]) * uv_ratio(uv->s[k], uv->s[next])) >> (15 + down));
+    }
+    terms->up = down - 16;
 }
 
 static void take_corners(const struct piece *piece, struct part_corner corner[3])
@@ -70,11 +67,52 @@ static void take_corners(const struct piece *piece, struct part_corner corner[3]
             corner[k].weight[i] = piece->weight[k][i];
 }
 
-/* Whether a part is off by more than is allowed. */
-static int errs(const struct raster *r, const struct uv_corners *uv)
+/* Whether a part is off by more than is allowed. Its frame, and the next one's, are not to lie on the stack while
+ * pixels are drawn. */
+static __attribute__((noinline)) int errs(const struct raster *r, const struct piece *piece)
 {
-    const struct texture_spread spread = uv_spread(uv, &r->surface.texture);
+    struct uv_corners uv;
+    find_corners(&r->corners, piece, &uv);
+    const struct texture_spread spread = uv_spread(&uv, &r->surface.texture);
     return texture_error(&spread, GLINT_TEXTURE_QUADRATIC) > PLAN_TEXTURE_SHARE(r->budget);
+}
+
+/* Channels over a part; perspective-correct where it cannot be split further, or is too thin for a quadratic. */
+FX_WRAPS static __attribute__((noinline)) void set_part(struct raster *r, const struct piece *piece, int bad)
+{
+    struct uv_corners uv;
+    struct part_corner corner[3];
+    const struct part_corner *const corners[3] = {&corner[0], &corner[1], &corner[2]};
+    find_corners(&r->corners, piece, &uv);
+    take_corners(piece, corner);
+    r->setup.uv_kind = GLINT_TEXTURE_SPLIT;
+    for (int axis = 0; axis < 2 && !bad; axis++) {
+        struct terms terms;
+        find_terms(&terms, &uv, axis);
+        struct channel *channel = &r->setup.uv[axis];
+        bad = !part_channel(&r->setup, &r->input, corners, terms.value, terms.bulge, terms.up, channel);
+        channel->p.f += (uint32_t)uv.value[axis][0];
+    }
+    if (bad)
+        uv_setup_corners(&r->setup, &r->corners, GLINT_TEXTURE_PERSPECTIVE);
+}
+
+static __attribute__((noinline)) void take_places(const struct raster *r, const struct piece *piece,
+                                                  struct part_place place[3])
+{
+    struct part_corner corner[3];
+    take_corners(piece, corner);
+    for (int k = 0; k < 3; k++)
+        place[k] = part_place(&r->input, &corner[k]);
+}
+
+/* 1 if it has a row in the band. */
+static int shows(const struct raster *r, const struct part_place p[3])
+{
+    int32_t top = p[0].y < p[1].y ? p[0].y : p[1].y, bottom = p[0].y > p[1].y ? p[0].y : p[1].y;
+    top = p[2].y < top ? p[2].y : top;
+    bottom = p[2].y > bottom ? p[2].y : bottom;
+    return fine_row(bottom, r->height) > r->y0 && fine_row(top, r->height) < r->y1;
 }
 
 /* Part i of a split triangle: at a corner, or between the middles of the edges. In the parent's turn. */
@@ -88,7 +126,6 @@ static struct piece part_of(const struct piece *whole, unsigned i)
             const unsigned a = whole->weight[corner[i][k][0]][c], b = whole->weight[corner[i][k][1]][c];
             part.weight[k][c] = (uint16_t)((a + b) >> 1); /* exact for as many halvings as there are */
         }
-    part.next = 0;
     return part;
 }
 
@@ -103,46 +140,43 @@ int split_begin(struct raster *r, const struct uv_corners *uv)
     return 1;
 }
 
-/* A part as it is; perspective-correct where it cannot be split further, or is too thin for a quadratic. */
-static uint32_t draw_part(struct raster *r, struct edges *e, runs_shade *shade, const struct uv_corners *uv,
-                          const struct part_corner *const corner[3], const struct part_place place[3])
+/* The part that a way down from the whole triangle leads to, two bits a level. */
+static __attribute__((noinline)) void find_piece(struct piece *piece, unsigned depth, unsigned way)
 {
-    uint32_t drawn = 0;
-    if (!uv || !set_channels(r, uv, corner))
-        uv_setup(&r->setup, &r->corners, GLINT_TEXTURE_PERSPECTIVE);
-    do
-        drawn += effects_draw(r, e, shade);
-    while (fine_setup(e, place, r->width, r->height, e->last, r->y1));
-    r->setup.uv_kind = GLINT_TEXTURE_SPLIT;
-    return drawn;
+    *piece = (struct piece){{{PART_ONE, 0}, {0, PART_ONE}, {0, 0}}};
+    for (; depth > 0; depth--)
+        *piece = part_of(piece, way >> (2 * depth - 2) & 3);
 }
 
 uint32_t split_draw(struct raster *r, struct edges *e, runs_shade *shade)
 {
-    struct piece stack[SPLIT_DEPTH + 1], *top = stack;
+    unsigned depth = 0, way = 0;
     uint32_t drawn = 0;
-    *top = (struct piece){{{PART_ONE, 0}, {0, PART_ONE}, {0, 0}}, 0};
     for (;;) {
-        struct part_corner corner[3];
-        const struct part_corner *const corners[3] = {&corner[0], &corner[1], &corner[2]};
+        struct piece piece;
+        struct part_place place[3];
         int more = 0;
-        take_corners(top, corner);
-        const struct part_place place[3] = {part_place(&r->input, &corner[0]), part_place(&r->input, &corner[1]),
-                                            part_place(&r->input, &corner[2])};
-        if (parts_shows(r, corners)) {
-            struct uv_corners uv;
-            find_corners(&r->corners, top, &uv);
-            const int bad = errs(r, &uv);
-            more = bad && top - stack < SPLIT_DEPTH && part_height(place) >= LEAST_HEIGHT;
-            if (!more && fine_setup(e, place, r->width, r->height, r->y0, r->y1))
-                drawn += draw_part(r, e, shade, bad ? 0 : &uv, corners, place);
+        find_piece(&piece, depth, way);
+        take_places(r, &piece, place);
+        if (shows(r, place)) {
+            const int bad = errs(r, &piece);
+            more = bad && depth < SPLIT_DEPTH && part_height(place) >= LEAST_HEIGHT;
+            if (!more && fine_setup(e, place, r->width, r->height, r->y0, r->y1)) {
+                set_part(r, &piece, bad);
+                do
+                    drawn += effects_draw(r, e, shade);
+                while (fine_setup(e, place, r->width, r->height, e->last, r->y1));
+            }
         }
-        top->next = more ? 0 : 4;
-        for (; top->next == 4; top--)
-            if (top == stack)
-                return drawn;
-        top[1] = part_of(top, top->next);
-        top->next++;
-        top++;
+        if (more) {
+            depth++;
+            way <<= 2;
+            continue;
+        }
+        for (; depth && (way & 3) == 3; depth--)
+            way >>= 2;
+        if (!depth)
+            return drawn;
+        way++;
     }
 }

@@ -8,7 +8,6 @@
 #ifndef GLINT_SPLIT_H
 #define GLINT_SPLIT_H
 
-#include "raster/parts.h"
 #include "raster/runs.h"
 #include "shade/uv.h"
 

@@ -139,8 +139,8 @@ static inline __attribute__((always_inline)) void sample(const struct shade_inpu
 static int is_straight(const struct shade_setup *setup, const struct shade_input *in, int quadratic)
 {
     const struct surface *s = in->surface;
-    return surface_fold(s) && in->grey_table && !setup->plane.sliver && !(quadratic && setup->plane.slim) &&
-           setup->uv_kind == GLINT_TEXTURE_AFFINE && !s->bump.flags;
+    return surface_fold(s) && surface_lights(s) == 1 && in->grey_table && !setup->plane.sliver &&
+           !(quadratic && setup->plane.slim) && setup->uv_kind == GLINT_TEXTURE_AFFINE && !s->bump.flags;
 }
 
 /* For that, L' times the material's diffuse light, and x and y of L' and H' times the map's steepness; Q15 factors. */
@@ -220,14 +220,6 @@ static void square_channel(struct shade_setup *setup, const struct shade_input *
     dots_quadratic(setup, value, bulge, out);
 }
 
-/* Of the map; the texture takes the same. */
-static void find_coordinates(struct shade_setup *setup, const struct shade_input *in)
-{
-    struct uv_corners uv;
-    uv_corners(&uv, in);
-    uv_setup(setup, &uv, in->texture);
-}
-
 /* Linear, or quadratic through middles of a kind: templates. */
 static inline __attribute__((always_inline)) void setup_lights(struct shade_setup *setup, const struct shade_input *in,
                                                                int quadratic, enum bump_middle middle)
@@ -235,7 +227,7 @@ static inline __attribute__((always_inline)) void setup_lights(struct shade_setu
     struct corners corners;
     const struct surface *s = in->surface;
     find_corners(in, &corners);
-    find_coordinates(setup, in);
+    uv_setup(setup, in, in->texture);
     if (quadratic)
         plane_setup_quadratic(&setup->plane);
     setup->quadratic = (uint8_t)quadratic;
@@ -290,7 +282,7 @@ void shade_bump_normalised(struct shade_setup *setup, const struct shade_input *
     const struct surface *s = in->surface;
     const int count = surface_highlights(s) ? 2 : 1;
     find_corners(in, &corners);
-    find_coordinates(setup, in);
+    uv_setup(setup, in, in->texture);
     plane_setup_quadratic(&setup->plane);
     for (unsigned i = 0; i < surface_lights(s); i++) {
         struct samples samples;
@@ -314,7 +306,7 @@ void shade_bump_normalised(struct shade_setup *setup, const struct shade_input *
             const int16_t(*corner)[3] = (const int16_t(*)[3])samples.corner[which];
             const int16_t *const ends[3] = {corner[0], corner[1], corner[2]};
             if (perspective)
-                piece_vectors_perspective(setup, in, perspective, ends, 0, channel);
+                piece_vectors_perspective(setup, in, perspective, ends, channel);
             else
                 piece_vectors(setup, in, ends, channel);
         }

@@ -112,7 +112,8 @@ void dots_setup(struct shade_setup *setup, const struct shade_input *in, const s
     plane_setup_quadratic(&setup->plane);
     const struct glint_power *const form = surface_form(s);
     const int folds = form && form->fold && factors->are_dots && !perspective && !in->tabled;
-    for (unsigned i = surface_lights(s); i--;) { /* the first last: is it alone? */
+    for (unsigned left = surface_lights(s); left > 0; left--) { /* the first last: is it alone? */
+        const unsigned i = left - 1;
         struct dots_samples samples;
         uint8_t *const shown[2] = {&setup->diffuse_lights, &setup->specular_lights};
         dots_sample(in, i, &samples);

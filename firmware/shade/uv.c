@@ -66,7 +66,7 @@ struct texture_spread uv_spread(const struct uv_corners *uv, const struct surfac
     return texture_spread(texture->head, d, uv->distant ? 0 : ratio + 1, texture->lit);
 }
 
-void uv_setup(struct shade_setup *setup, const struct uv_corners *uv, unsigned kind)
+void uv_setup_corners(struct shade_setup *setup, const struct uv_corners *uv, unsigned kind)
 {
     if (uv->distant)
         kind = GLINT_TEXTURE_AFFINE;
@@ -88,4 +88,13 @@ void uv_setup(struct shade_setup *setup, const struct uv_corners *uv, unsigned k
         }
         (kind == GLINT_TEXTURE_PERSPECTIVE ? plane_linear_wide : plane_linear)(&setup->plane, value, &setup->uv[axis]);
     }
+}
+
+void uv_setup(struct shade_setup *setup, const struct shade_input *in, unsigned kind)
+{
+    struct uv_corners uv;
+    if (setup->uv_kind)
+        return;
+    uv_corners(&uv, in);
+    uv_setup_corners(setup, &uv, kind);
 }

@@ -48,6 +48,9 @@ static inline int32_t uv_bulge(int64_t difference, int32_t ratio)
 
 /* Fills setup->uv and setup->uv_kind. A triangle at one distance becomes affine, whatever is asked for; one that is too
  * thin for a quadratic, and what is left of `split` and of the default, perspective. */
-void uv_setup(struct shade_setup *setup, const struct uv_corners *uv, unsigned kind);
+void uv_setup_corners(struct shade_setup *setup, const struct uv_corners *uv, unsigned kind);
+
+/* The same from the input; idle where it has been done. */
+void uv_setup(struct shade_setup *setup, const struct shade_input *in, unsigned kind);
 
 #endif

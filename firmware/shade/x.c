@@ -84,7 +84,8 @@ void shade_x(struct shade_setup *setup, const struct shade_input *in)
     }
     int32_t curl = bounds_curl(in->triangle->bend);
     setup->runs_only = setup->depth.exact != 0;
-    for (unsigned i = surface_lights(in->surface); i--;) { /* the first last: is it alone? */
+    for (unsigned left = surface_lights(in->surface); left > 0; left--) { /* the first last: is it alone? */
+        const unsigned i = left - 1;
         if (interpolate(setup, in, i, 0, curl))
             setup->diffuse_lights |= (uint8_t)(1u << i);
         if (surface_highlights(in->surface) && interpolate(setup, in, i, 1, curl))

@@ -54,7 +54,7 @@ static double worst_of(int16_t place[3][3], const int16_t (*uv)[2], unsigned kin
     const int32_t depth[3] = {(uint16_t)place[0][2], (uint16_t)place[1][2], (uint16_t)place[2][2]};
     plane_linear(&r->setup.plane, depth, &r->setup.depth);
     uv_corners(&corners, &r->input);
-    uv_setup(&r->setup, &corners, kind);
+    uv_setup_corners(&r->setup, &corners, kind);
     assert_int_equal(r->setup.uv_kind, kind);
     for (int y = e.row; e.row < e.last;) {
         const int count = edges_spans(&e, SIZE, r->span, SPANS);
