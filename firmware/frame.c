@@ -124,6 +124,7 @@ static void take_material(struct raster *r, const struct scene_header *scene, un
         effects_surface(r);
     if (raster_effects(r))
         r->surface.fold = 0; /* runs have N.L itself */
+    r->fold = r->surface.fold;
     table_find(r);
     r->input.tabled = r->surface_table != 0 && raster_is(r, GLINT_RGB565);
     r->input.grey_table = r->surface_table != 0 && raster_is(r, GLINT_GREY8);

@@ -52,8 +52,8 @@ extern const struct glint_method glint_x_perspective, glint_six_perspective, gli
     glint_biquadratic_perspective;
 
 /* Bump maps: light and half-way direction turned into the surface's moving frame at the corners, interpolated, and
- * multiplied with the map's normals (Hast et al. 2002). Materials without a map are drawn by x, six and duff; the other
- * methods leave maps out, but for auto. */
+ * multiplied with the map's normals (Hast et al. 2002). Materials without a map are drawn by x, six and
+ * duff (or phong, near and in perspective); the other methods leave maps out, but for auto. */
 extern const struct glint_method glint_bump_linear;     /* the directions as they are */
 extern const struct glint_method glint_bump_quadratic;  /* through six samples, middles the ends' normalised average */
 extern const struct glint_method glint_bump_normalised; /* made unit at each pixel; correct in perspective */
@@ -78,6 +78,8 @@ extern const struct glint_method glint_hybrid_x;            /* adaptive: by x */
  * nothing but the ambient part, one colour, gouraud, N.L and N.H linear or quadratic each, duff or phong; and of each
  * light's parts only those that can show. firmware/plan/README.md has the bounds. */
 extern const struct glint_method glint_auto;
+extern const struct glint_method glint_auto_shown; /* a picture of what auto does: each triangle in the colour of what
+                                                      it is drawn by (README.md's legend) */
 #define GLINT_BUDGET(num, den) ((uint16_t)((256u * (num) + (den) / 2) / (den))) /* num/den 255ths as config.budget */
 
 /* Their places in the statistics; the adaptive ones and auto count under what they draw by. */

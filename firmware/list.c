@@ -146,7 +146,7 @@ FX_COLD static int clip_side(struct glint_frame *f, const struct transform *tran
         place[k][VERTEX_Y] = point.y;
         place[k][VERTEX_DEPTH] = (int16_t)point.depth;
     }
-    if (fits && from->two_sided && !back && area_of(polygon, place) < 0)
+    if (USES(USES_TWO_SIDED) && fits && from->two_sided && !back && area_of(polygon, place) < 0)
         return 0;
     /* All pieces or none. */
     const int pieces = polygon->count - 2;
@@ -168,7 +168,7 @@ FX_COLD static int clip_side(struct glint_frame *f, const struct transform *tran
 /* Rare, so kept out of the loop that calls it. */
 FX_COLD static void clip(struct glint_frame *f, const struct transform *transform, const struct candidate *from)
 {
-    if (!clip_side(f, transform, from, 0))
+    if (!clip_side(f, transform, from, 0) && USES(USES_TWO_SIDED))
         clip_side(f, transform, from, 1);
 }
 

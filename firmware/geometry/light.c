@@ -10,8 +10,9 @@ static void far_point(const struct matrix *to_eye, const q30_t v[3], struct obje
     q30_t turned[3];
     matrix_apply_transposed(to_eye, v, turned);
     for (int i = 0; i < 3; i++)
-        out->at[i] = (turned[i] + (1 << 15)) >> 16; /* |turned| <= 2^30 (1 + 2^-16) */
+        out->at[i] = turned[i] >> 2; /* |turned| <= 2^30 (1 + 2^-16) */
     out->near = 0;
+    out->shift = 14;
 }
 
 /* A place of the world in the mesh's position units. */
@@ -20,7 +21,7 @@ static void near_point(const q16_t world[3], const struct scene_mesh *mesh, cons
 {
     struct matrix rotation = rotation_matrix(&pose->rotation);
     int32_t from[3], turned[3];
-    int64_t place[3], largest = 0;
+    int64_t quotient[3], largest = 0;
     /* matrix_apply_transposed() wants less than 2^29; differences of positions are below 2^31. They are taken times
      * 2^up / 4: what is near gets up to 12 bits more, since a small mesh has few positions to a Q16. */
     int up = 14;
@@ -36,16 +37,20 @@ static void near_point(const q16_t world[3], const struct scene_mesh *mesh, cons
         /* Q31 of the mesh's units, times 2^up / 4: below 2^60, the centre's share below 2^30 * 2^27 */
         int64_t local = fx_divide_s64((int64_t)turned[i] * (INT64_C(1) << 31), pose->scale) -
                         (int64_t)mesh->centre[i] * (INT64_C(1) << (13 + up));
-        place[i] = fx_divide_s64(fx_divide_s64(local, mesh->extent) * 4, 1 << up);
-        int64_t size = place[i] < 0 ? -place[i] : place[i];
+        quotient[i] = fx_divide_s64(local, mesh->extent) * 4; /* position units times 2^up */
+        const int64_t size = quotient[i] < 0 ? -quotient[i] : quotient[i];
         largest = size > largest ? size : largest;
     }
-    int down = 0;
+    largest >>= up;
+    int down = 0, shift = 0;
     while (largest >> down > FARTHEST)
         down++;
-    for (int i = 0; i < 3; i++)
-        out->at[i] = (int32_t)(place[i] >> down);
+    while (shift < 8 && (largest + 1) << (shift + 1) <= FARTHEST)
+        shift++;
+    for (int i = 0; i < 3; i++) /* quotients are below 2^56, with a shift below 2^(28 + 14) */
+        out->at[i] = (int32_t)(fx_divide_s64(quotient[i] * (1 << shift), 1 << up) >> down);
     out->near = down == 0;
+    out->shift = (int16_t)shift;
     if (down) { /* so far that the mesh is a point */
         q14_t unit[3];
         object_unit(out->at, unit);
@@ -58,6 +63,7 @@ void object_light_setup(struct object_state *object, const struct scene_header *
                         const struct pose *pose, const struct matrix *to_eye, uint32_t time_ms)
 {
     static const q30_t ahead[3] = {0, 0, Q30(1, 1)};
+    static const int32_t none[3] = {0, 0, 0}; /* far things are so from anywhere */
     const struct scene_light *light = scene_lights(scene);
     if (!USES(USES_LOCAL_VIEWER) || scene->camera.viewer == VIEWER_INFINITE)
         far_point(to_eye, ahead, &object->eye);
@@ -82,8 +88,8 @@ void object_light_setup(struct object_state *object, const struct scene_header *
         if (!object_near(&out->source) && !object_near(&object->eye)) {
             int32_t sum[3];
             for (int j = 0; j < 3; j++) {
-                out->towards[j] = (q14_t)out->source.at[j];
-                sum[j] = out->source.at[j] + object->eye.at[j];
+                out->towards[j] = (q14_t)object_way(&out->source, none, j);
+                sum[j] = out->towards[j] + object_way(&object->eye, none, j);
             }
             object_unit(sum, out->half);
         } else {

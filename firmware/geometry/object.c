@@ -31,15 +31,45 @@ void object_unit(const int32_t v[3], q14_t out[3])
 /* Unit vector towards a point from a place. */
 static void towards_point(const struct object_point *point, const int32_t place[3], q14_t out[3])
 {
-    if (!object_near(point)) {
-        for (int i = 0; i < 3; i++)
-            out[i] = (q14_t)point->at[i];
-        return;
-    }
     int32_t way[3];
     for (int i = 0; i < 3; i++)
-        way[i] = point->at[i] - place[i]; /* below 2^28 + 2^16 */
-    object_unit(way, out);
+        way[i] = object_way(point, place, i); /* below 2^28 + 2^16 */
+    if (object_near(point))
+        object_unit(way, out);
+    else
+        for (int i = 0; i < 3; i++)
+            out[i] = (q14_t)way[i];
+}
+
+void object_towards(const struct object_point *point, const int32_t place_q8[3], int32_t out[3])
+{
+    int32_t way[3];
+    uint32_t largest = 0, squared = 0;
+    if (!object_near(point)) {
+        for (int i = 0; i < 3; i++)
+            out[i] = point->at[i] * (1 << (14 - point->shift));
+        return;
+    }
+    for (int i = 0; i < 3; i++) { /* below 2^28 + 2^23 */
+        way[i] = point->at[i] - (place_q8[i] >> (8 - point->shift));
+        largest |= (uint32_t)(way[i] < 0 ? -way[i] : way[i]);
+    }
+    if (!largest) {
+        out[0] = out[1] = 0;
+        out[2] = 1 << 28;
+        return;
+    }
+    /* to 30 bits: high words of squares are in [2^26, 2^28), their sum below 3 * 2^28 */
+    const int32_t up = 1 << (fx_clz(largest) - 2);
+    for (int i = 0; i < 3; i++) {
+        way[i] *= up;
+        squared += (uint32_t)fx_mulhi_s32(way[i], way[i]);
+    }
+    /* even is 2 or 4; with q = squared 2^even, |way| 2^(even / 2) = 2^16 sqrt(q), and inverse = 2^45 / sqrt(q) */
+    const unsigned even = fx_clz(squared) & ~1u;
+    const int32_t inverse = (int32_t)(fx_rsqrt_norm(squared << even) >> 1), scale = 1 << (even / 2 - 1);
+    for (int i = 0; i < 3; i++)
+        out[i] = fx_mulhi_s32(way[i], inverse) * scale;
 }
 
 static void half_way(const q14_t a[3], const q14_t b[3], q14_t out[3])

@@ -17,11 +17,12 @@
 #define VERTEX_LIGHTS   3
 #define VERTEX_UNPLACED INT16_MIN
 
-/* A light or the eye as one object sees it. Far: a unit vector towards it in the object's axes, Q14. Near: its place in
- * the mesh's position units, |p| <= 2^28; one farther than that is taken as far. */
+/* A light or the eye as one object sees it. Far: a unit vector towards it in the object's axes, Q14 times 2^shift (0 to
+ * 14). Near: its place in the mesh's position units times 2^shift (0 to 8), |p| <= 2^28; one farther than that is taken
+ * as far. */
 struct object_point {
     int32_t at[3];
-    int32_t near;
+    int16_t near, shift;
 };
 
 struct object_light {
@@ -42,6 +43,15 @@ static inline int object_near(const struct object_point *point)
 {
     return USES(USES_POINT_LIGHT | USES_LOCAL_VIEWER) && point->near;
 }
+/* The way from a place, in position units, to a near point, in these; towards a far one in Q14. The bits below, for
+ * which object_towards() is, are left out. */
+static inline int32_t object_way(const struct object_point *point, const int32_t place[3], int i)
+{
+    const int32_t at = point->at[i], below = (1 << point->shift) - 1;
+    if (object_near(point))
+        return ((at + (at >> 31 & below)) >> point->shift) - place[i]; /* towards 0 */
+    return (at + ((below + 1) >> 1)) >> point->shift;                  /* to nearest */
+}
 static inline int object_local(const struct object_state *object)
 {
     return USES(USES_POINT_LIGHT | USES_LOCAL_VIEWER) && object->local;
@@ -55,6 +65,9 @@ void object_light_setup(struct object_state *object, const struct scene_header *
  * within 2^-12. */
 void object_light_at(const struct object_state *object, unsigned light, const int32_t place[3], q14_t towards[3],
                      q14_t half[3]);
+
+/* A unit vector towards a point from a place in 1/256 of position units, Q28, its length within 2^-19 of 1. */
+void object_towards(const struct object_point *point, const int32_t place_q8[3], int32_t out[3]);
 
 /* v / |v| in Q14, components of v below 2^30; of 0, (0, 0, 1). */
 void object_unit(const int32_t v[3], q14_t out[3]);

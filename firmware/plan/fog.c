@@ -169,19 +169,42 @@ static uint32_t bow_of(const struct fog *fog, int32_t near, int32_t far)
     return sum ? (step * step >> 2) / sum + 2 : step;
 }
 
+/* Of exponential fog, where u changes by `step` < 1 and is nowhere less than `least`. */
+static uint32_t exponential_error(uint32_t bow, uint32_t step, int32_t least)
+{
+    const uint32_t curve = step * step >> 20; /* (ln 2)^2 / 8 < 2^-4 */
+    bow = bow * 45427 >> 16;                  /* ln 2 */
+    bow = (bow > curve ? bow : curve) + 1;
+    return (bow * fx_exp2_minus(least > 0 ? (uint32_t)least : 0) >> 16) + 2; /* bow < 3/4 * 2^16 */
+}
+
 /* How far the interpolated part can be off, Q16. */
 static uint32_t linear_error(const struct fog *fog, int32_t near, int32_t far)
 {
     if (far - near >= ONE)
         return ONE;
-    uint32_t bow = bow_of(fog, near, far); /* at most their difference and 2 */
-    if (fog->kind == FOG_EXPONENTIAL) {
-        const uint32_t step = (uint32_t)(far - near), curve = step * step >> 20; /* (ln 2)^2 / 8 < 2^-4 */
-        bow = bow * 45427 >> 16;                                                 /* ln 2 */
-        bow = (bow > curve ? bow : curve) + 1;
-        return (bow * fx_exp2_minus(near > 0 ? (uint32_t)near : 0) >> 16) + 2; /* bow < 3/4 * 2^16 */
-    }
+    const uint32_t bow = bow_of(fog, near, far); /* at most their difference and 2 */
+    if (fog->kind == FOG_EXPONENTIAL)
+        return exponential_error(bow, (uint32_t)(far - near), near);
     return bow + (uint32_t)(near < 0 ? -near : 0) + (uint32_t)(far > ONE ? far - ONE : 0);
+}
+
+uint32_t fog_run_error(const struct fog *fog, const int32_t depth[3], uint32_t step_q16)
+{
+    int32_t least = depth[0] < depth[1] ? depth[0] : depth[1], most = depth[0] < depth[1] ? depth[1] : depth[0];
+    least = depth[2] < least ? depth[2] : least;
+    most = depth[2] > most ? depth[2] : most;
+    const int32_t most_u = argument(fog, (uint32_t)least << 16), least_u = argument(fog, (uint32_t)most << 16);
+    const uint32_t at = (uint32_t)(least < fog->solid ? fog->solid : least) << 16;
+    if (step_q16 > UINT32_MAX - at)
+        return ONE;
+    const int32_t near = argument(fog, at + step_q16), far = argument(fog, at);
+    if (far - near >= ONE)
+        return ONE;
+    const uint32_t bow = bow_of(fog, near, far), step = (uint32_t)(far - near);
+    if (fog->kind == FOG_EXPONENTIAL)
+        return exponential_error(bow, step, least_u);
+    return least_u < 0 || most_u > ONE ? bow + step / 4 + 1 : bow;
 }
 
 static void set_even(struct fog_plan *plan, uint32_t part_q14, int all)

@@ -18,6 +18,10 @@
  *     2^-un (ln 2 (uf - un))^2 / 8, and V at that mean is below the true V, as the mean is above the true u by at most
  *     bow, by at most 2^-un ln 2 bow. The two have opposite signs: the larger is the bound.
  *   - always |error| <= F(uf) - F(un), and half of that for its mean in place of F.
+ * Over a run of pixels in a row, within which c changes by no more than some s, the same holds between its ends; in
+ * perspective du = A dc / c^2, so that both d and bow are largest where c is least in the triangle (linear fog: least
+ * where u < 1). A kink of linear fog inside a run, of slope 0 on one side, costs at most a quarter of what u changes
+ * by.
  */
 #ifndef GLINT_FOG_H
 #define GLINT_FOG_H
@@ -42,7 +46,15 @@ void fog_begin(struct fog *fog, const struct scene_header *scene);
 /* The fog's part in Q16, 0..65536, at a depth times 2^16 (a depth channel's value). */
 uint32_t fog_part(const struct fog *fog, uint32_t depth_q16);
 
-enum fogged { FOGGED_NOT, FOGGED_EVENLY, FOGGED_LINEARLY, FOGGED_BY_PIXEL, FOGGED_WHOLLY };
+enum fogged {
+    FOGGED_NOT,
+    FOGGED_EVENLY,
+    FOGGED_LINEARLY, /* over the triangle */
+    FOGGED_BY_RUN,   /* between the ends of a run of pixels */
+    FOGGED_BY_PIXEL,
+    FOGGED_WHOLLY,
+    FOGGED_KINDS
+};
 
 /* Of a triangle. */
 struct fog_plan {
@@ -55,5 +67,9 @@ struct fog_plan {
 /* The cheapest way that adds no more than `allowed` (Q16) to fog->error. With `all` nothing is left out that cannot
  * show: what is FOGGED_NOT or FOGGED_WHOLLY becomes FOGGED_EVENLY, and the picture is the same. */
 void fog_choose(const struct fog *fog, const int32_t depth[3], uint32_t allowed, int all, struct fog_plan *plan);
+
+/* What interpolating the part between the ends of a run can add to the error, Q16, where depths of the triangle change
+ * by at most `step` (times 2^16) from one end to the other. */
+uint32_t fog_run_error(const struct fog *fog, const int32_t depth[3], uint32_t step_q16);
 
 #endif

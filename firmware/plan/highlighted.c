@@ -5,7 +5,7 @@
 static void way_to(const struct object_point *to, const int32_t place[3], int32_t out[3])
 {
     for (int i = 0; i < 3; i++)
-        out[i] = to->near ? to->at[i] - place[i] : to->at[i];
+        out[i] = object_way(to, place, i);
 }
 
 /* Products of way and normal: 3 * 2^28.01 * 2^25 < 2^55; of two ways: below 2^58. */

@@ -17,4 +17,7 @@ static inline int32_t bump_rise(const uint16_t *rise, int32_t x, int32_t y)
     return rise[(uint32_t)(x * x + y * y) >> 7];
 }
 
+/* glint_auto's choice for the triangle in hand, of a surface with a map whose plan is made; fills r->input.plan. */
+const struct glint_method *bump_planned(struct raster *r);
+
 #endif

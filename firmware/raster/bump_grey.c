@@ -1,174 +1,159 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Bump mapping straight into 8-bit grey, under one light, from a material's table (raster/table.c): depth test, texel,
- * N'.L' and N'.H', store, all stepped by differences from exact values at a span's first pixel. A template, of which
- * each case is a function of its own.
+ * Bump mapping into 8-bit grey under one light, from a material's table (raster/table.c), in runs of stages that each
+ * keep what they step in registers: depth mask, texels to normals, N'.L', N'.H', pixels.
  *
  * The set-up has multiplied L' by the material's diffuse light, so that N'.L' counts in Q22 steps of the output (Q30 of
  * 256), and x and y of L' and H' by the map's steepness, so that a texel multiplies them as it lies there.
  */
 #include "raster/bump.h"
+#include "raster/runs.h"
 #include "raster/spans.h"
 #include "shade/bump.h"
 
-enum bump_kind { BUMP_GLOSSY = 1, BUMP_BENT = 2, BUMP_UNIT = 4 };
+enum bump_kind { BUMP_BENT = 1, BUMP_UNIT = 2 };
 
-/* A vector's components, their first differences, and second ones (0 where linear); s: 1 - its squared length. */
-struct vector {
-    uint32_t x, y, z, dx, dy, dz, ax, ay, az, s, ds, as;
-};
-
-struct look {
-    const int8_t (*texel)[2];
-    const uint16_t *rise, *table;
-    uint32_t colour; /* the ambient part with the rounding half, Q7 steps */
-    uint32_t columns, rows,
-        clear;     /* of texels: a coordinate's shift to its column; to its row in place; the bits below */
-    uint32_t down; /* of N'.H' in Q30 to steps of the table */
-    uint32_t foot; /* of the power, such steps */
-};
-
-/* N'.V in Q30, less than 2 in size: a texel's component is below 2^7 and the vector's in Q23, z's Q14 and Q16. */
-static inline __attribute__((always_inline)) int32_t dot(const struct vector *v, int32_t x, int32_t y, int32_t z)
+/* The map's normals under a run: x and y as the texel has them in bits 0-7 and 8-15, z in Q14 above. */
+RUNS_APART FX_WRAPS static void find_normals(struct raster *r, uint32_t i, uint32_t j, int n)
 {
-    return x * ((int32_t)v->x >> 7) + y * ((int32_t)v->y >> 7) + z * ((int32_t)v->z >> 14);
-}
-
-/* 1 / |V| in Q15. */
-static inline __attribute__((always_inline)) uint32_t inverse(const struct vector *v)
-{
-    return spans_length[fx_saturated(v->s, SPANS_LENGTH_BITS, 28 - SPANS_LENGTH_BITS)];
-}
-
-FX_WRAPS static inline __attribute__((always_inline)) void step(struct vector *v, unsigned kind)
-{
-    v->x += v->dx;
-    v->y += v->dy;
-    v->z += v->dz;
-    if (kind & BUMP_BENT) {
-        v->dx += v->ax;
-        v->dy += v->ay;
-        v->dz += v->az;
-    }
-    if (kind & BUMP_UNIT) {
-        v->s += v->ds;
-        v->ds += v->as;
+    const struct surface_bump *map = &r->surface.bump;
+    const unsigned columns = 32u - map->log2_width, rows = 32u - map->log2_width - map->log2_height;
+    const uint32_t clear = ~0u << map->log2_width;
+    const uint16_t *rise = map->rise;
+    const int8_t(*texel)[2] = map->texel;
+    uint32_t du, dv, u = spans_start(&r->setup.uv[0].p, i, j, &du, 0), v = spans_start(&r->setup.uv[1].p, i, j, &dv, 0);
+    int32_t *out = r->value[3];
+    u <<= 4; /* whole turns are of no account */
+    v <<= 4;
+    du <<= 4;
+    dv <<= 4;
+    for (const int32_t *end = out + n; out != end; out++) {
+        const int8_t *at = texel[((v >> rows) & clear) | u >> columns];
+        const int32_t x = at[0], y = at[1];
+        *out = (int32_t)((uint32_t)bump_rise(rise, x, y) << 16 | (uint32_t)(uint8_t)y << 8 | (uint8_t)x);
+        u += du;
+        v += dv;
     }
 }
 
-/* The vector at column i, row j, and 1 less its square. */
-static inline __attribute__((always_inline)) void start(const struct channel *c, const struct channel *square,
-                                                        uint32_t i, uint32_t j, unsigned kind, struct vector *v)
+/* N'.V in Q30, at which `normal` lies in r->value[3] and the sum goes to r->value[where]. A texel's components are
+ * below 2^7 and the vector's in Q23, z's Q14 and Q16: below 2^31, as |N'| < 3/2 and |V| <= 7/6. A template. */
+FX_WRAPS static inline __attribute__((always_inline)) void find_dots(int32_t *normal, const struct channel *c,
+                                                                     const struct channel *square, uint32_t i,
+                                                                     uint32_t j, int n, int out, unsigned kind)
 {
     const int bent = (kind & BUMP_BENT) != 0;
-    v->x = spans_start(&c[0].p, i, j, &v->dx, bent);
-    v->y = spans_start(&c[1].p, i, j, &v->dy, bent);
-    v->z = spans_start(&c[2].p, i, j, &v->dz, bent);
-    v->ax = 2 * c[0].p.a;
-    v->ay = 2 * c[1].p.a;
-    v->az = 2 * c[2].p.a;
-    v->s = v->ds = v->as = 0;
-    if (kind & BUMP_UNIT) {
-        v->s = spans_start(&square->p, i, j, &v->ds, 1);
-        v->as = 2 * square->p.a;
+    uint32_t dx, dy, dz, ds = 0, s = 0, x = spans_start(&c[0].p, i, j, &dx, bent);
+    uint32_t y = spans_start(&c[1].p, i, j, &dy, bent), z = spans_start(&c[2].p, i, j, &dz, bent);
+    const uint32_t ax = 2 * c[0].p.a, ay = 2 * c[1].p.a, az = 2 * c[2].p.a, as = 2 * square->p.a;
+    if (kind & BUMP_UNIT)
+        s = spans_start(&square->p, i, j, &ds, 1);
+    for (const int32_t *end = normal + n; normal != end; normal++) {
+        const uint32_t at = (uint32_t)*normal;
+        int32_t dot = (int8_t)at * ((int32_t)x >> 7) + (int8_t)(at >> 8) * ((int32_t)y >> 7) +
+                      (int32_t)(at >> 16) * ((int32_t)z >> 14);
+        if (kind & BUMP_UNIT) { /* 1 / |V| in Q15: the quotient is below 3/2 again */
+            const uint32_t by = spans_length[fx_saturated(s, SPANS_LENGTH_BITS, 28 - SPANS_LENGTH_BITS)];
+            dot = (dot >> 15) * (int32_t)by;
+            s += ds;
+            ds += as;
+        }
+        normal[out] = dot;
+        x += dx;
+        y += dy;
+        z += dz;
+        if (bent) {
+            dx += ax;
+            dy += ay;
+            dz += az;
+        }
     }
 }
 
-/* The colour under a texel. */
-FX_WRAPS static inline __attribute__((always_inline)) uint32_t
-grey(const struct vector *light, const struct vector *half, const struct look *look, const int8_t *texel, unsigned kind)
+#define CASE(name, out, kind)                                                                                       \
+    RUNS_APART static void name(int32_t *normal, const struct channel *c, const struct channel *square, uint32_t i, \
+                                uint32_t j, int n)                                                                  \
+    {                                                                                                               \
+        find_dots(normal, c, square, i, j, n, out, kind);                                                           \
+    }
+#define TO_LIGHT (-3 * RUN) /* r->value[0] from r->value[3] */
+#define TO_HALF  (-2 * RUN)
+CASE(light_linear, TO_LIGHT, 0)
+CASE(light_bent, TO_LIGHT, BUMP_BENT)
+CASE(light_unit, TO_LIGHT, BUMP_UNIT)
+CASE(half_linear, TO_HALF, 0)
+CASE(half_bent, TO_HALF, BUMP_BENT)
+CASE(half_unit, TO_HALF, BUMP_UNIT)
+
+/* The pixels of a mask. */
+RUNS_APART FX_WRAPS static void write_glossy(struct raster *r, uint8_t *pixel, uint32_t mask)
 {
-    const int32_t x = texel[0], y = texel[1], z = bump_rise(look->rise, x, y);
-    const int32_t l = dot(light, x, y, z);
-    uint32_t sum = look->colour;
-    if (kind & BUMP_GLOSSY) {
-        int32_t h = dot(half, x, y, z);
-        if (kind & BUMP_UNIT)
-            h = (h >> 15) * (int32_t)inverse(half);
-        sum = look->table[fx_saturated((uint32_t)(h >> look->down) - look->foot, TABLE_BITS, 0)];
-    }
-    if (kind & BUMP_UNIT) /* below 2^15.7 * 2^15.3 */
-        sum += fx_saturated((uint32_t)l, 16, 15) * inverse(light) >> 15;
-    else
-        sum += fx_saturated((uint32_t)l, 16, 15);
-    return fx_saturated(sum, 8, 7);
+    const unsigned octave = r->surface.power->octave;
+    const int down = 30 - TABLE_BITS - (int)octave; /* of N'.H' in Q30 to steps of the table */
+    const uint32_t foot = (1u << (TABLE_BITS + octave)) - (1u << TABLE_BITS);
+    const uint16_t *table = r->surface_table->entry;
+    for (const int32_t *value = r->value[0]; mask; mask >>= 1, value++, pixel++)
+        if (mask & 1) {
+            const uint32_t h = (uint32_t)(value[RUN] >> down) - foot;
+            const uint32_t sum = table[fx_saturated(h, TABLE_BITS, 0)] + fx_saturated((uint32_t)value[0], 16, 15);
+            *pixel = (uint8_t)fx_saturated(sum, 8, 7);
+        }
 }
 
-FX_WRAPS static inline __attribute__((always_inline)) uint32_t draw(struct raster *r, struct edges *e,
-                                                                    const struct look *look, unsigned kind)
+RUNS_APART FX_WRAPS static void write_matt(const struct raster *r, uint8_t *pixel, uint32_t mask)
+{
+    const uint32_t ambient = r->surface.ambient;
+    for (const int32_t *value = r->value[0]; mask; mask >>= 1, value++, pixel++)
+        if (mask & 1)
+            *pixel = (uint8_t)fx_saturated(ambient + fx_saturated((uint32_t)*value, 16, 15), 8, 7);
+}
+
+static void shade(struct raster *r, int x, int y, int n)
 {
     const struct shade_setup *setup = &r->setup;
-    const uint32_t width = r->width, ox = (uint32_t)setup->plane.ox;
-    uint32_t j = (uint32_t)(e->row - setup->plane.oy), row = (uint32_t)(e->row - r->y0) * width, drawn = 0;
-    do {
-        const struct span *span = r->span, *last = span + raster_spans(r, e);
-        for (; span != last; span++, row += width, j++) {
-            if (span->x1 <= span->x0)
-                continue;
-            const uint32_t i = (uint32_t)span->x0 - ox, at = row + (uint32_t)span->x0;
-            uint32_t dz, du, dv, z = spans_start(&setup->depth.p, i, j, &dz, 0);
-            uint32_t u = spans_start(&setup->uv[0].p, i, j, &du, 0), v = spans_start(&setup->uv[1].p, i, j, &dv, 0);
-            struct vector light, half;
-            start(setup->bump, setup->bump + BUMP_SQUARE, i, j, kind, &light);
-            if (kind & BUMP_GLOSSY)
-                start(setup->bump + BUMP_HALF, setup->bump + BUMP_SQUARE + 1, i, j, kind, &half);
-            u <<= 4; /* whole turns are of no account */
-            v <<= 4;
-            du <<= 4;
-            dv <<= 4;
-            uint8_t *pixel = r->pixels + at, *end = pixel + (span->x1 - span->x0);
-            uint16_t *depth = r->depth + at;
-            do {
-                if (z >> 16 > *depth) {
-                    const uint32_t texel = ((v >> look->rows) & look->clear) | u >> look->columns;
-                    *depth = (uint16_t)(z >> 16);
-                    *pixel = (uint8_t)grey(&light, &half, look, look->texel[texel], kind);
-                    drawn++;
-                }
-                z += dz;
-                u += du;
-                v += dv;
-                step(&light, kind);
-                if (kind & BUMP_GLOSSY)
-                    step(&half, kind);
-                depth++;
-            } while (++pixel != end);
-        }
-    } while (e->row < e->last);
-    return drawn;
+    const struct channel *light = setup->bump, *half = setup->bump + BUMP_HALF, *square = setup->bump + BUMP_SQUARE;
+    const uint32_t i = (uint32_t)(x - setup->plane.ox), j = (uint32_t)(y - setup->plane.oy);
+    const int glossy = shade_specular(setup) != 0;
+    int32_t *normal = r->value[3];
+    find_normals(r, i, j, n);
+    if (setup->length) {
+        light_unit(normal, light, square, i, j, n);
+        if (glossy)
+            half_unit(normal, half, square + 1, i, j, n);
+    } else if (setup->quadratic) {
+        light_bent(normal, light, square, i, j, n);
+        if (glossy)
+            half_bent(normal, half, square, i, j, n);
+    } else {
+        light_linear(normal, light, square, i, j, n);
+        if (glossy)
+            half_linear(normal, half, square, i, j, n);
+    }
 }
 
-#define CASE(name, kind)                                                                       \
-    FX_WRAPS static __attribute__((noinline)) uint32_t name(struct raster *r, struct edges *e, \
-                                                            const struct look *look)           \
-    {                                                                                          \
-        return draw(r, e, look, kind);                                                         \
-    }
-CASE(linear, 0)
-CASE(linear_glossy, BUMP_GLOSSY)
-CASE(bent, BUMP_BENT)
-CASE(bent_glossy, BUMP_BENT | BUMP_GLOSSY)
-CASE(unit, BUMP_UNIT)
-CASE(unit_glossy, BUMP_UNIT | BUMP_GLOSSY)
-
-/* Which lights' channels there are is one light's: the lit side's is always there. */
 uint32_t bump_grey(struct raster *r, struct edges *e)
 {
-    const struct shade_setup *setup = &r->setup;
-    const struct surface_bump *map = &r->surface.bump;
-    const unsigned octave = r->surface.power->octave, glossy = shade_specular(setup) != 0;
-    const struct look look = {.texel = map->texel,
-                              .rise = map->rise,
-                              .table = r->surface_table->entry,
-                              .colour = r->surface.ambient,
-                              .columns = 32u - map->log2_width,
-                              .rows = 32u - map->log2_width - map->log2_height,
-                              .clear = ~0u << map->log2_width,
-                              .down = 30u - TABLE_BITS - octave,
-                              .foot = (1u << (TABLE_BITS + octave)) - (1u << TABLE_BITS)};
-    if (setup->length)
-        return glossy ? unit_glossy(r, e, &look) : unit(r, e, &look);
-    if (setup->quadratic)
-        return glossy ? bent_glossy(r, e, &look) : bent(r, e, &look);
-    return glossy ? linear_glossy(r, e, &look) : linear(r, e, &look);
+    const int glossy = shade_specular(&r->setup) != 0;
+    uint32_t drawn = 0;
+    int y = e->row;
+    do {
+        const struct span *span = r->span, *last = span + raster_spans(r, e);
+        for (; span != last; span++, y++)
+            for (int x = span->x0; x < span->x1; x += RUN) {
+                const int n = span->x1 - x < RUN ? span->x1 - x : RUN;
+                const uint32_t mask = raster_visible(r, x, y, n);
+                uint8_t *pixel = r->pixels + (uint32_t)(y - r->y0) * r->width + x;
+                if (!mask)
+                    continue;
+                drawn += (uint32_t)n;
+                for (uint32_t hidden = ~mask & ((1u << n) - 1); hidden; hidden &= hidden - 1)
+                    drawn--;
+                shade(r, x, y, n);
+                if (glossy)
+                    write_glossy(r, pixel, mask);
+                else
+                    write_matt(r, pixel, mask);
+            }
+    } while (e->row < e->last);
+    return drawn;
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Bump mapping: N'.L' and N'.H' of vectors that shade/bump.c has interpolated; clamp, power and sum per pixel. */
+#include "plan/bump.h"
 #include "raster/bump.h"
 #include "raster/runs.h"
 #include "shade/bump.h"
@@ -61,15 +62,25 @@ static inline __attribute__((always_inline)) void add_diffuse(struct raster *r, 
             add(sum, (uint32_t)r->value[0][i] >> 15, r->surface.light[l].diffuse, channels);
 }
 
+/* The run's N'.H' to powers: by the table, or by another form. */
+RUNS_APART static void find_powers(struct raster *r, int n)
+{
+    const struct glint_power *form = surface_form(&r->surface);
+    if (form) {
+        form->run(r->surface.power->exponent, r->value[0], n);
+        return;
+    }
+    for (int i = 0; i < n; i++)
+        r->value[0][i] = (int32_t)fx_power(r->surface.power, r->value[0][i]);
+}
+
 static inline __attribute__((always_inline)) void add_highlight(struct raster *r, int n, unsigned l, unsigned channels)
 {
-    const struct surface *s = &r->surface;
     uint32_t *sum = r->gloss;
-    for (int i = 0; i < n; i++, sum += 3) {
-        const uint32_t power = surface_power(s, r->value[0][i]);
-        if (power)
-            add(sum, power, s->light[l].specular, channels);
-    }
+    find_powers(r, n);
+    for (int i = 0; i < n; i++, sum += 3)
+        if (r->value[0][i])
+            add(sum, (uint32_t)r->value[0][i], r->surface.light[l].specular, channels);
 }
 
 /* A template: `channels` and `normalised` are constant. */
@@ -129,7 +140,8 @@ static uint32_t draw_normalised(struct raster *r, struct edges *e)
     return runs_draw(r, e, run_normalised);
 }
 
-/* A material without a map is drawn by the method that interpolates the same way. */
+/* A material without a map is drawn by the method that interpolates the same way: what is normalised, by Duff's where
+ * that is per-pixel Phong. */
 static const struct glint_method *choose_linear(struct raster *r)
 {
     return surface_bumps(&r->surface) ? &glint_bump_linear : &glint_x;
@@ -152,7 +164,9 @@ static const struct glint_method *choose_upright(struct raster *r)
 
 static const struct glint_method *choose_normalised(struct raster *r)
 {
-    return surface_bumps(&r->surface) ? &glint_bump_normalised : &glint_duff;
+    if (surface_bumps(&r->surface))
+        return &glint_bump_normalised;
+    return r->input.divides || object_local(r->input.object) ? &glint_phong_perspective : &glint_duff;
 }
 
 const struct glint_method glint_bump_linear = {.id = GLINT_BUMP_LINEAR,
@@ -190,3 +204,22 @@ const struct glint_method glint_bump_normalised = {.id = GLINT_BUMP_NORMALISED,
                                                    .choose = choose_normalised,
                                                    .run = run_normalised,
                                                    .colours = COLOURS_OF_DOTS};
+
+const struct glint_method *bump_planned(struct raster *r)
+{
+    static const struct glint_method *const methods[] = {&glint_bump_linear, &glint_bump_quadratic,
+                                                         &glint_bump_normalised};
+    static const uint8_t rungs[] = {PLAN_LINEAR, PLAN_SIX, PLAN_PHONG};
+    const struct shade_input *in = &r->input;
+    const uint32_t shift = in->divides ? plan_shift(in->place) : 0;
+    uint16_t bend[SCENE_MAX_LIGHTS][2][3];
+    struct plan_bump sum = {0, 0};
+    bump_bends(in, bend);
+    for (unsigned i = 0; i < surface_lights(&r->surface); i++)
+        plan_bump_light(&sum, &r->surface.plan, i, (const uint16_t(*)[3])bend[i], shift);
+    r->input.plan = (struct shade_plan){0};
+    const enum plan_bump_kind kind = plan_bump_choose(&sum, &r->surface.plan, &r->input.plan.error);
+    r->input.plan.rung = rungs[kind];
+    r->input.plan.undivided = in->divides && kind != PLAN_BUMP_NORMALISED;
+    return methods[kind];
+}

@@ -57,20 +57,22 @@ static inline __attribute__((always_inline)) q30_t dot(const struct raster *r, i
     return normals_dot(&v, u);
 }
 
-/* Adds a light at one pixel. `formed`: by another form of the power than the table; `lacks`: half's shortness. */
-static inline __attribute__((always_inline)) void add_light(struct raster *r, int i, unsigned l, const q14_t towards[3],
-                                                            const q14_t half[3], int32_t lacks, int formed)
+static inline __attribute__((always_inline)) void add_diffuse(struct raster *r, int i, unsigned l,
+                                                              const q14_t towards[3])
 {
     const struct surface *s = &r->surface;
     const q30_t diffuse = dot(r, i, towards);
     if (diffuse > 0)
         for (unsigned c = 0; c < surface_channels(s); c++)
             r->sum[i][c] += surface_diffuse((uint32_t)diffuse >> 15, s->light[l].diffuse[c]);
-    q30_t highlight = surface_highlights(s) ? dot(r, i, half) : 0;
-    if (highlight <= 0)
-        return;
-    highlight = normals_lengthened(highlight, lacks);
-    uint32_t power = formed ? surface_power(s, highlight) : fx_power(s->power, highlight);
+}
+
+/* `formed`: by another form of the power than the table. */
+static inline __attribute__((always_inline)) void add_highlight(struct raster *r, int i, unsigned l, q30_t highlight,
+                                                                int formed)
+{
+    const struct surface *s = &r->surface;
+    const uint32_t power = formed ? surface_power(s, highlight) : fx_power(s->power, highlight);
     for (unsigned c = 0; c < surface_channels(s); c++)
         raster_gloss(r)[3 * i + (int)c] += surface_diffuse(power, s->light[l].specular[c]);
 }
@@ -84,7 +86,7 @@ static void find_divisors(struct raster *r, int x, int y, int n)
         r->divisor[i] = perspective_divisor_of((uint32_t)(r->value[0][i] > 1 << 10 ? r->value[0][i] : 1 << 10) << 2);
 }
 
-/* Where lights or the eye are near: the places in position units, into r->value[3] to [5]. */
+/* Where lights or the eye are near: the places in 1/256 of position units, into r->value[3] to [5]. */
 static __attribute__((noinline)) void find_places(struct raster *r, int x, int y, int n)
 {
     const int perspective = r->setup.perspective;
@@ -94,34 +96,83 @@ static __attribute__((noinline)) void find_places(struct raster *r, int x, int y
         int32_t *value = r->value[c];
         plane_values(&r->setup.plane, &r->setup.channel[c], x, y, n, value);
         for (int i = 0; i < n; i++)
-            value[i] = perspective ? perspective_divide(value[i], r->divisor[i]) >> 15 : value[i] >> 16;
+            value[i] = perspective ? perspective_divide(value[i], r->divisor[i]) >> 7 : value[i] >> 8;
     }
 }
 
-/* All lights, on unit normals. A template: `formed` is constant. */
-static inline __attribute__((always_inline)) void add_lights(struct raster *r, int n, int formed)
+/* All lights, far as the eye is, a run each. A template, as the next: `formed` is constant. */
+static inline __attribute__((always_inline)) void add_lights_far(struct raster *r, int n, int formed)
+{
+    const struct surface *s = &r->surface;
+    q14_t towards[3], half[3];
+    for (unsigned l = 0; l < surface_lights(s); l++) {
+        object_light_at(r->input.object, l, 0, towards, half);
+        const int32_t lacks = normals_shortness(half);
+        for (int i = 0; i < n; i++) {
+            add_diffuse(r, i, l, towards);
+            const q30_t highlight = surface_highlights(s) ? dot(r, i, half) : 0;
+            if (highlight > 0)
+                add_highlight(r, i, l, normals_lengthened(highlight, lacks), formed);
+        }
+    }
+}
+
+/* N.H of H = L + V, Q28 each, not made unit before: where they are all but opposite, H is short and only as good as
+ * they. */
+static q30_t half_way(const struct raster *r, int i, const int32_t towards[3], const int32_t eye[3])
+{
+    int32_t half[3];
+    uint32_t largest = 1u << 13, squared = 0;
+    for (int k = 0; k < 3; k++) { /* at most 2^29 (1 + 2^-19) */
+        half[k] = towards[k] + eye[k];
+        largest |= (uint32_t)(half[k] < 0 ? -half[k] : half[k]);
+    }
+    const int down = 18 - (int)fx_clz(largest); /* the largest to 14 bits; what is below 2^-15 is as good as none */
+    for (int k = 0; k < 3; k++) {
+        half[k] >>= down;
+        squared += (uint32_t)(half[k] * half[k]); /* below 3 * 2^28 */
+    }
+    if (squared < 1u << 26)
+        return 0;
+    /* |v| |half| < 2^16 * 2^14.8, so the high product is below 2^28.8: N.H |H| in Q27 of |H| in Q14. 1 / |H| is inverse
+     * 2^(even / 2) / 2^45. */
+    const unsigned even = fx_clz(squared) & ~1u; /* 2 or 4 */
+    const int32_t inverse = (int32_t)(fx_rsqrt_norm(squared << even) >> 1);
+    const int32_t sum = r->value[0][i] * half[0] + r->value[1][i] * half[1] + r->value[2][i] * half[2];
+    return fx_mulhi_s32(fx_mulhi_s32(sum, r->divisor[i].half) * 4, inverse) * (1 << (2 + even / 2));
+}
+
+/* All lights where one of them or the eye is near, a pixel each. */
+static inline __attribute__((always_inline)) void add_lights_near(struct raster *r, int n, int formed)
 {
     const struct surface *s = &r->surface;
     const struct object_state *object = r->input.object;
-    q14_t towards[3], half[3];
-    int32_t lacks = 0;
+    for (int i = 0; i < n; i++) {
+        const int32_t place[3] = {r->value[3][i], r->value[4][i], r->value[5][i]};
+        int32_t eye[3], way[3];
+        object_towards(&object->eye, place, eye);
+        for (unsigned l = 0; l < surface_lights(s); l++) {
+            object_towards(&object->light[l].source, place, way);
+            const q14_t towards[3] = {(q14_t)((way[0] + (1 << 13)) >> 14), (q14_t)((way[1] + (1 << 13)) >> 14),
+                                      (q14_t)((way[2] + (1 << 13)) >> 14)};
+            add_diffuse(r, i, l, towards);
+            const q30_t highlight = surface_highlights(s) ? half_way(r, i, way, eye) : 0;
+            if (highlight > 0)
+                add_highlight(r, i, l, highlight, formed);
+        }
+    }
+}
+
+static inline __attribute__((always_inline)) void add_lights(struct raster *r, int n, int formed)
+{
+    const struct surface *s = &r->surface;
     for (int i = 0; i < n; i++)
         for (unsigned c = 0; c < surface_channels(s); c++)
             r->sum[i][c] = s->base[c];
-    for (unsigned l = 0; l < surface_lights(s); l++) {
-        if (!object_local(object)) {
-            object_light_at(object, l, 0, towards, half);
-            lacks = normals_shortness(half);
-        }
-        for (int i = 0; i < n; i++) {
-            if (object_local(object)) {
-                const int32_t place[3] = {r->value[3][i], r->value[4][i], r->value[5][i]};
-                object_light_at(object, l, place, towards, half);
-                lacks = normals_shortness(half);
-            }
-            add_light(r, i, l, towards, half, lacks, formed);
-        }
-    }
+    if (object_local(r->input.object))
+        add_lights_near(r, n, formed);
+    else
+        add_lights_far(r, n, formed);
 }
 
 FX_COLD static void add_lights_formed(struct raster *r, int n)

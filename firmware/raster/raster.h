@@ -60,10 +60,14 @@ struct raster {
     uint16_t fog_colour[3]; /* Q8 steps */
     uint16_t fog_allowed;   /* error that may be added, Q16 of full intensity */
     uint8_t fog_planned;    /* by auto: it is part of input.plan */
+    uint16_t plan_budget;   /* what surface.plan has without fog */
     struct surface surface;
     uint16_t budget;                   /* of auto, Q8 of 1/255 */
     uint16_t surface_material;         /* which one `surface` holds; 0xffff: none */
     const struct table *surface_table; /* made for `surface`; null: none, or not looked for yet */
+    uint16_t fold;                     /* the surface's, of triangles without fog */
+    const struct table *plan_table;    /* auto: the surface's, which a triangle takes where the budget has room for */
+    uint16_t table_off;                /* what it is off by, Q8 of 1/255 */
     void *table;                       /* one for each of the first r->tables materials, table_bytes() each */
     /* the triangle in hand */
     struct shade_input input;

@@ -48,12 +48,12 @@ enum spans_kind {
 
 /* What pixels are made of besides channels. */
 struct spans_look {
-    const uint16_t *table;           /* struct table's entries; SPANS_POWER: the power's */
-    const uint16_t *diffuse;         /* RGB888: Q8 steps of each channel */
-    uint32_t colour;                 /* one colour; else grey: the ambient part with the rounding half, Q7 steps */
-    uint32_t specular;               /* SPANS_POWER: Q8 steps */
-    uint32_t foot;                   /* SPANS_LENGTH: of the power, Q30 */
-    unsigned down;                   /* of N.H in Q30 to steps of the table */
+    const uint16_t *table;   /* struct table's entries; SPANS_POWER: the power's */
+    const uint16_t *diffuse; /* RGB888: Q8 steps of each channel */
+    uint32_t colour;         /* one colour; else grey: the ambient part with the rounding half, Q7 steps */
+    uint32_t specular;       /* SPANS_POWER: Q8 steps */
+    uint32_t foot;           /* SPANS_LENGTH: of the power, Q30; times 2^octave unless wide or by the power */
+    unsigned down;           /* of N.H in Q30 to steps of the table; SPANS_LENGTH in its place: to Q15 times 2^octave */
     const struct spans_light *light; /* SPANS_NORMAL */
 };
 
@@ -106,15 +106,18 @@ static inline __attribute__((always_inline)) uint32_t spans_grey(const struct sp
     uint32_t h = v->h, by = 0;
     if (kind & SPANS_LENGTH) {
         by = spans_length[fx_saturated(v->c, SPANS_LENGTH_BITS, 28 - SPANS_LENGTH_BITS)];
-        if (kind & SPANS_HIGHLIGHT) /* the quotient is at least -1, the foot below 1: within [-2, 2) in Q30 */
+        if (kind &
+            (SPANS_WIDE | SPANS_POWER)) /* the quotient is at least -1, the foot below 1: within [-2, 2) in Q30 */
             h = (uint32_t)((int32_t)h >> 15) * by - look->foot;
+        else if (kind & SPANS_HIGHLIGHT) /* modulo 2^32 */
+            h = (uint32_t)((int32_t)h >> look->down) * by - look->foot;
     }
     if (kind & SPANS_POWER) { /* powers are at most 2^15, the step's light below 2^16; the product in Q7 steps */
         const uint32_t t = fx_saturated((uint32_t)((int32_t)h >> look->down), 22, 0);
         const uint16_t *p = &look->table[t >> 15];
         const uint32_t power = p[0] + ((uint32_t)(p[1] - p[0]) * (t & 0x7fff) >> 15);
         sum += (power * look->specular >> 16) & ~(uint32_t)((int32_t)h >> 31); /* none below the foot */
-    } else if (kind & (SPANS_WIDE | SPANS_LENGTH) && kind & SPANS_HIGHLIGHT) {
+    } else if (kind & SPANS_WIDE) {
         sum = look->table[fx_saturated((uint32_t)((int32_t)h >> look->down), TABLE_BITS, 0)];
     } else if (kind & SPANS_HIGHLIGHT) {
         sum = look->table[fx_saturated(h, TABLE_BITS, 30 - TABLE_BITS)];

@@ -14,14 +14,19 @@ SPANS_CASE(both_wide, BOTH | SPANS_QUADRATIC | SPANS_WIDE)
 SPANS_CASE(both_power, BOTH | SPANS_QUADRATIC | SPANS_POWER)
 SPANS_CASE(normals, SPANS_GREY8 | SPANS_NORMAL)
 SPANS_CASE(lengths_diffuse, SPANS_GREY8 | SPANS_LENGTH | SPANS_QUADRATIC | SPANS_DIFFUSE)
-SPANS_CASE(lengths, BOTH | SPANS_LENGTH | SPANS_QUADRATIC)
+SPANS_CASE(lengths_wide, BOTH | SPANS_LENGTH | SPANS_QUADRATIC | SPANS_WIDE)
 SPANS_CASE(lengths_power, BOTH | SPANS_LENGTH | SPANS_QUADRATIC | SPANS_POWER)
 #if SPANS_BY_HAND
-#define both(r, e, look)           spans_by_hand(r, e, look, 1, spans_hand_grey)
-#define both_quadratic(r, e, look) spans_by_hand(r, e, look, 1, spans_hand_grey_quadratic)
+#define both(r, e, look)           spans_by_hand(r, e, look, 1, 0, spans_hand_grey)
+#define both_quadratic(r, e, look) spans_by_hand(r, e, look, 1, 0, spans_hand_grey_quadratic)
 #else
 SPANS_CASE(both, BOTH)
 SPANS_CASE(both_quadratic, BOTH | SPANS_QUADRATIC)
+#endif
+#if SPANS_BY_HAND == 2
+#define lengths(r, e, look) spans_by_hand(r, e, look, 1, 1, spans_hand_grey_lengths)
+#else
+SPANS_CASE(lengths, BOTH | SPANS_LENGTH | SPANS_QUADRATIC)
 #endif
 
 uint32_t spans_grey8_constant(struct raster *r, struct edges *e, uint32_t colour)
@@ -84,8 +89,15 @@ FX_WRAPS uint32_t spans_grey8_lengths(struct raster *r, struct edges *e)
         setup->channel[0].p = (struct polynomial){0};
     if (!shade_specular(setup))
         return setup->diffuse_lights ? lengths_diffuse(r, e, &look) : spans_grey8_constant(r, e, look.colour >> 7);
-    setup->channel[1].p.f += 1u << 14; /* half of what a pixel drops before it multiplies */
-    return by_table ? lengths(r, e, &look) : lengths_power(r, e, &look);
+    if (!by_table || setup->wide) {
+        setup->channel[1].p.f += 1u << 14; /* half of what a pixel drops before it multiplies */
+        return by_table ? lengths_wide(r, e, &look) : lengths_power(r, e, &look);
+    }
+    const unsigned octave = r->surface.power->octave;
+    look.down = 15u - octave;
+    look.foot <<= octave;
+    setup->channel[1].p.f += 1u << (14 - octave);
+    return lengths(r, e, &look);
 }
 
 uint32_t spans_grey8_normals(struct raster *r, struct edges *e)

@@ -1,16 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Loops of spans.h by hand for ARMv6-M, whose compilers keep four of a loop's words in memory: with every register in
+ * Loops of spans.h by hand. For ARMv6-M, whose compilers keep four of a loop's words in memory: with every register in
  * use and the clamps' rare cases apart, an RGB565 pixel with diffuse light and highlight takes 29 cycles instead of 45
- * on a Cortex-M0+. The bits are the same. spans_thumb.c knows these offsets.
+ * on a Cortex-M0+. For ARMv7-M those of grey, of which Duff's takes 27 instructions instead of 39. The bits are the
+ * same. spans_thumb.c and spans_thumb2.c know these offsets.
  */
 #ifndef GLINT_SPANS_HAND_H
 #define GLINT_SPANS_HAND_H
 
 #include "raster/spans.h"
 
+/* The text: of ARMv6-M, of ARMv7-M, none. */
 #if FX_NARROW && defined(__thumb__)
 #define SPANS_BY_HAND 1
+#elif defined(__ARM_ARCH_7M__) || defined(__ARM_ARCH_7EM__)
+#define SPANS_BY_HAND 2
 #else
 #define SPANS_BY_HAND 0
 #endif
@@ -18,12 +22,16 @@
 struct spans_hand {
     const struct channel *channel; /* depth, N.L, N.H, one behind the other */
     const struct span *span, *last;
-    uint8_t *row;             /* of the depth, its column 0 */
-    uint32_t stride, j;       /* bytes a row; the row from the origin */
-    uint32_t ox;              /* the origin's column */
-    const uint16_t *table;    /* struct table's entries */
-    uintptr_t to_pixels;      /* from a depth's address, in grey from half of it, to the pixel's */
+    uint8_t *row;          /* of the depth, on ARMv7-M of the pixels: its column 0 */
+    uint32_t stride, j;    /* bytes a row; the row from the origin */
+    uint32_t ox;           /* the origin's column */
+    const uint16_t *table; /* struct table's entries */
+    uintptr_t to_other;    /* from a depth's address, in grey from half of it, to the pixel's; on ARMv7-M from twice the
+                              pixel's to the depth's */
     uint32_t covered, hidden; /* pixels, added to */
+    uint32_t second;          /* lengths: twice the square's a; and as in struct spans_look, the foot negated */
+    const uint16_t *inverse;
+    uint32_t down, foot;
 };
 void spans_hand_diffuse(struct spans_hand *rows);
 void spans_hand_both(struct spans_hand *rows);
@@ -31,19 +39,29 @@ void spans_hand_diffuse_quadratic(struct spans_hand *rows);
 void spans_hand_both_quadratic(struct spans_hand *rows);
 void spans_hand_grey(struct spans_hand *rows);
 void spans_hand_grey_quadratic(struct spans_hand *rows);
+void spans_hand_grey_lengths(struct spans_hand *rows);
 
-static inline uint32_t spans_by_hand(struct raster *r, struct edges *e, const struct spans_look *look, int grey,
-                                     void (*draw)(struct spans_hand *))
+/* `grey`, `lengths`: which of them `draw` is; constants. */
+FX_WRAPS static inline uint32_t spans_by_hand(struct raster *r, struct edges *e, const struct spans_look *look,
+                                              int grey, int lengths, void (*draw)(struct spans_hand *))
 {
-    const struct plane *plane = &r->setup.plane;
-    const uint32_t stride = 2u * r->width;
-    struct spans_hand rows = {.channel = &r->setup.depth,
-                              .row = (uint8_t *)r->depth + (uint32_t)(e->row - r->y0) * stride,
+    const struct shade_setup *setup = &r->setup;
+    const uintptr_t pixels = (uintptr_t)r->pixels, depth = (uintptr_t)r->depth;
+    const int by_pixels = SPANS_BY_HAND == 2;
+    const uint32_t stride = by_pixels ? r->width : 2u * r->width;
+    struct spans_hand rows = {.channel = &setup->depth,
+                              .row = (uint8_t *)(by_pixels ? pixels : depth) + (uint32_t)(e->row - r->y0) * stride,
                               .stride = stride,
-                              .j = (uint32_t)(e->row - plane->oy),
-                              .ox = (uint32_t)plane->ox,
+                              .j = (uint32_t)(e->row - setup->plane.oy),
+                              .ox = (uint32_t)setup->plane.ox,
                               .table = look->table,
-                              .to_pixels = (uintptr_t)r->pixels - (uintptr_t)r->depth / (grey ? 2 : 1)};
+                              .to_other = by_pixels ? depth - 2 * pixels : pixels - (grey ? depth / 2 : depth)};
+    if (lengths) {
+        rows.second = 2 * setup->channel[SHADE_SQUARE].p.a;
+        rows.inverse = spans_length;
+        rows.down = look->down;
+        rows.foot = 0u - look->foot;
+    }
     do {
         rows.span = r->span;
         rows.last = r->span + raster_spans(r, e);

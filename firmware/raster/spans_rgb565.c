@@ -7,11 +7,11 @@
 SPANS_CASE(constant, 0)
 SPANS_CASE(colours, SPANS_COLOUR)
 SPANS_CASE(both_wide, BOTH | SPANS_QUADRATIC | SPANS_WIDE)
-#if SPANS_BY_HAND
-#define diffuse(r, e, look)           spans_by_hand(r, e, look, 0, spans_hand_diffuse)
-#define diffuse_quadratic(r, e, look) spans_by_hand(r, e, look, 0, spans_hand_diffuse_quadratic)
-#define both(r, e, look)              spans_by_hand(r, e, look, 0, spans_hand_both)
-#define both_quadratic(r, e, look)    spans_by_hand(r, e, look, 0, spans_hand_both_quadratic)
+#if SPANS_BY_HAND == 1
+#define diffuse(r, e, look)           spans_by_hand(r, e, look, 0, 0, spans_hand_diffuse)
+#define diffuse_quadratic(r, e, look) spans_by_hand(r, e, look, 0, 0, spans_hand_diffuse_quadratic)
+#define both(r, e, look)              spans_by_hand(r, e, look, 0, 0, spans_hand_both)
+#define both_quadratic(r, e, look)    spans_by_hand(r, e, look, 0, 0, spans_hand_both_quadratic)
 #else
 SPANS_CASE(diffuse, SPANS_DIFFUSE)
 SPANS_CASE(diffuse_quadratic, SPANS_DIFFUSE | SPANS_QUADRATIC)

@@ -7,7 +7,7 @@
 
 #include <stddef.h>
 
-#if SPANS_BY_HAND
+#if SPANS_BY_HAND == 1
 _Static_assert(TABLE_BITS == 10, "the shifts of GREY()");
 _Static_assert(sizeof(struct channel) == 28 && offsetof(struct channel, p) == 4 && sizeof(struct span) == 4,
                "what is read by address");

@@ -139,8 +139,8 @@ static inline __attribute__((always_inline)) void sample(const struct shade_inpu
 static int is_straight(const struct shade_setup *setup, const struct shade_input *in, int quadratic)
 {
     const struct surface *s = in->surface;
-    return surface_fold(s) && in->grey_table && !setup->plane.sliver && !(quadratic && setup->plane.slim) &&
-           setup->uv_kind == GLINT_TEXTURE_AFFINE && !(s->bump.flags & (TEXTURE_CLAMP_U | TEXTURE_CLAMP_V));
+    return surface_fold(s) && surface_lights(s) == 1 && in->grey_table && !setup->plane.sliver &&
+           !(quadratic && setup->plane.slim) && setup->uv_kind == GLINT_TEXTURE_AFFINE && !s->bump.flags;
 }
 
 /* For that, L' times the material's diffuse light, and x and y of L' and H' times the map's steepness; Q15 factors. */
@@ -188,6 +188,24 @@ static int32_t square_bulges(const int16_t (*corner)[3], int32_t bulge[3])
         most = bulge[k] > most ? bulge[k] : most;
     }
     return most;
+}
+
+void bump_bends(const struct shade_input *in, uint16_t bend[SCENE_MAX_LIGHTS][2][3])
+{
+    struct corners corners;
+    find_corners(in, &corners);
+    for (unsigned i = 0; i < surface_lights(in->surface); i++) {
+        struct samples samples;
+        int32_t difference[3]; /* 4 k */
+        sample(in, &corners, i, 0, BUMP_AVERAGE, &samples);
+        for (int which = 0; which < 2; which++) {
+            square_bulges((const int16_t(*)[3])samples.corner[which], difference);
+            for (int k = 0; k < 3; k++) { /* a rounding of the corners more */
+                const uint32_t rounded = ((uint32_t)difference[k] >> 14) + 4;
+                bend[i][which][k] = (uint16_t)(rounded < 65535 ? rounded : 65535);
+            }
+        }
+    }
 }
 
 /* 1 less the square: for a table of reciprocal lengths. */
@@ -288,7 +306,7 @@ void shade_bump_normalised(struct shade_setup *setup, const struct shade_input *
             const int16_t(*corner)[3] = (const int16_t(*)[3])samples.corner[which];
             const int16_t *const ends[3] = {corner[0], corner[1], corner[2]};
             if (perspective)
-                piece_vectors_perspective(setup, in, perspective, ends, 0, channel);
+                piece_vectors_perspective(setup, in, perspective, ends, channel);
             else
                 piece_vectors(setup, in, ends, channel);
         }

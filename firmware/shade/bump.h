@@ -40,4 +40,7 @@ void bump_make_frame(const q14_t tangent[3], int sign, const q14_t normal[3], st
  * unit. */
 void bump_average(const int16_t a[3], const int16_t b[3], int32_t bulge[3]);
 
+/* What plan/bump.h asks of the triangle in hand: (1 - Vi.Vj) / 2 of L' and H' on its edges, Q16, of each light. */
+void bump_bends(const struct shade_input *in, uint16_t bend[SCENE_MAX_LIGHTS][2][3]);
+
 #endif

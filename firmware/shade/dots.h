@@ -65,12 +65,13 @@ static inline uint32_t dots_highlight_slack(const struct surface *s, unsigned li
     return surface_diffuse(change, s->light[light].specular_most) >> 7;
 }
 
-/* N.H's place in the power's table beyond [-2, 2), for loops whose clamps are by sign (raster/spans.h); 256 for the
+/* N.H, or it over the length of a normal of .8 at least, has its place in the power's table beyond [-2, 2), for loops whose clamps are by sign (raster/spans.h); 256 for the
  * roundings. */
 static inline int dots_wide(const struct fx_power *power, struct bounds range, int32_t bend)
 {
     const int32_t floor = bounds_power_floor(power), most = (32768 - 256) >> power->octave;
-    return floor - range.low + bend > most || range.high + bend - floor > most;
+    const int32_t low = range.low - bend;
+    return floor - low - (low < 0 ? low >> 2 : 0) > most || range.high + bend - floor > most;
 }
 
 /* N.H less the foot of the power may pass -2 in Q30. */

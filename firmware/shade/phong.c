@@ -26,6 +26,6 @@ void shade_phong_perspective(struct shade_setup *setup, const struct shade_input
     }
     setup->perspective = (uint8_t)(perspective.up + 1u);
     find_normals(in, normal);
-    piece_vectors_perspective(setup, in, &perspective, normal, 0, setup->channel);
+    piece_vectors_perspective(setup, in, &perspective, normal, setup->channel);
     piece_place_perspective(setup, in, &perspective);
 }

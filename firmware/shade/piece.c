@@ -64,14 +64,12 @@ void piece_vectors(struct shade_setup *setup, const struct shade_input *in, cons
 }
 
 void piece_vectors_perspective(struct shade_setup *setup, const struct shade_input *in,
-                               const struct perspective *perspective, const int16_t *const corner[3], int down,
+                               const struct perspective *perspective, const int16_t *const corner[3],
                                struct channel *out)
 {
     for (int axis = 0; axis < 3; axis++) {
         int32_t value[3];
         component(in, corner, axis, value);
-        for (int k = 0; k < 3; k++)
-            value[k] >>= down;
         perspective_linear(perspective, &setup->plane, value, &out[axis]);
     }
 }
@@ -91,6 +89,7 @@ void piece_place(struct shade_setup *setup, const struct shade_input *in)
     piece_vectors(setup, in, place, setup->channel + 3);
 }
 
+/* Numerators of half the place, of no fraction of which anything is lost: |value| <= 2^30 in Q15, s < 2^16. */
 void piece_place_perspective(struct shade_setup *setup, const struct shade_input *in,
                              const struct perspective *perspective)
 {
@@ -98,7 +97,17 @@ void piece_place_perspective(struct shade_setup *setup, const struct shade_input
     if (!object_local(in->object))
         return;
     find_places(in, place);
-    piece_vectors_perspective(setup, in, perspective, place, 1, setup->channel + 3);
+    for (int axis = 0; axis < 3; axis++) {
+        int32_t numerator[3];
+        for (int k = 0; k < 3; k++) {
+            int32_t value = place[k][axis] * (1 << 15);
+            if (in->weight)
+                value = place[0][axis] * in->weight[k][0] + place[1][axis] * in->weight[k][1] +
+                        place[2][axis] * in->weight[k][2];
+            numerator[k] = (int32_t)((int64_t)value * perspective->s[k] >> 16);
+        }
+        plane_linear_wide(&setup->plane, numerator, &setup->channel[3 + axis]);
+    }
     perspective_linear(perspective, &setup->plane, (const int32_t[3]){Q14(1, 1), Q14(1, 1), Q14(1, 1)},
                        &setup->channel[SHADE_WEIGHT]);
 }

@@ -24,10 +24,10 @@ void piece_vectors(struct shade_setup *setup, const struct shade_input *in, cons
  * units. */
 void piece_place(struct shade_setup *setup, const struct shade_input *in);
 
-/* The same as numerators: of the vectors times 2^-down; of half the place, so that no rounding takes the quotient past
- * 31 bits. */
+/* The same as numerators: of the vectors; of half the place, so that no rounding takes the quotient past 31 bits, and W
+ * itself in SHADE_WEIGHT. */
 void piece_vectors_perspective(struct shade_setup *setup, const struct shade_input *in,
-                               const struct perspective *perspective, const int16_t *const corner[3], int down,
+                               const struct perspective *perspective, const int16_t *const corner[3],
                                struct channel *out);
 void piece_place_perspective(struct shade_setup *setup, const struct shade_input *in,
                              const struct perspective *perspective);

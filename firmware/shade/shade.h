@@ -133,11 +133,9 @@ struct shade_setup {
             uint8_t uv_kind;   /* enum glint_texture of `uv` */
         };
     };
-    struct channel uv[USES(USES_TEXTURE | USES_BUMP) ? 2 : 1]; /* texture coordinates: shade/uv.h */
-    uint8_t uv_up;                                             /* of perspective ones: how far closeness is moved up */
     struct plane plane;
-    struct channel depth; /* the first channel of those in a row: raster/spans_thumb.c */
-    union {
+    struct channel depth;
+    union { /* behind the depth: raster/spans_thumb.c reads them one after the other */
         struct channel channel[SHADE_MAX_CHANNELS];
         struct channel bump[SHADE_BUMP_CHANNELS];
         struct {
@@ -149,8 +147,10 @@ struct shade_setup {
             struct part_split split[PART_DEPTH + 1]; /* a stack, the part in hand on top */
         } parts;
     };
-    uint32_t flat[3];   /* flat: the finished colour, Q15 steps */
-    struct channel fog; /* its part where that is linear, Q14 */
+    uint32_t flat[3];                                          /* flat: the finished colour, Q15 steps */
+    struct channel fog;                                        /* its part where that is linear, Q14 */
+    struct channel uv[USES(USES_TEXTURE | USES_BUMP) ? 2 : 1]; /* texture coordinates: shade/uv.h */
+    uint8_t uv_up;                                             /* of perspective ones: how far closeness is moved up */
 };
 
 /* Whether no light but the first shows: the triangle is then drawn as under one light. Once the others are set up. */

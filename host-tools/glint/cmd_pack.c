@@ -99,7 +99,7 @@ static int pack_parse(int argc, char **argv, struct pack_arguments *a)
     return -1;
 }
 
-/* A line that is a C header of its own. */
+/* A C header of its own. */
 static int pack_print_uses(char **paths, uint32_t uses, const struct pack_options *options)
 {
     for (; *paths; paths++) {
@@ -112,6 +112,8 @@ static int pack_print_uses(char **paths, uint32_t uses, const struct pack_option
     }
     printf("#define GLINT_USES 0x%06xu /*", (unsigned)uses);
     uses_print(stdout, uses);
+    printf(" */\n/* methods:");
+    uses_print_methods(stdout, uses);
     puts(" */");
     return CLI_DONE;
 }

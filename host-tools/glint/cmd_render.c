@@ -24,7 +24,8 @@ static const char render_help[] =
     "      --stream FILE      instead of -o: as a device sends it to glint-view (firmware/stream/PROTOCOL.md); - for\n"
     "                         standard output\n"
     "      --key N            of a stream: a picture in N refers to none before it, 1..1000000, default 60\n"
-    "      --method M         one of `glint methods`, default x\n"
+    "      --method M         one of `glint methods`, default auto\n"
+    "      --show plan        auto: each triangle in the colour of what was chosen for it\n"
     "      --budget N         auto: how far a pixel may be off, .01 to 255 in 1/255, default 2\n"
     "      --subdivide MODE   with --method subdivide: centre (default), regular, highlight, recursive, hybrid, "
     "hybrid-x\n"
@@ -68,7 +69,7 @@ struct render {
     const char *scene, *path, *output_format, *expect, *method, *subdivide;
     uint32_t frames, rate, time_ms, band_rows;
     uint16_t yaw, pitch;
-    bool stats, json, hash, progress, perspective;
+    bool stats, json, hash, progress, perspective, show;
 };
 
 enum render_option {
@@ -77,6 +78,7 @@ enum render_option {
     RENDER_OUTPUT_FORMAT = 256,
     RENDER_METHOD,
     RENDER_BUDGET,
+    RENDER_SHOW,
     RENDER_POWER,
     RENDER_SUBDIVIDE,
     RENDER_TOLERANCE,
@@ -107,6 +109,7 @@ enum render_option {
 static const struct option render_options[] = {{"output", required_argument, NULL, RENDER_OUTPUT},
                                                {"output-format", required_argument, NULL, RENDER_OUTPUT_FORMAT},
                                                {"method", required_argument, NULL, RENDER_METHOD},
+                                               {"show", required_argument, NULL, RENDER_SHOW},
                                                {"budget", required_argument, NULL, RENDER_BUDGET},
                                                {"power", required_argument, NULL, RENDER_POWER},
                                                {"subdivide", required_argument, NULL, RENDER_SUBDIVIDE},
@@ -165,6 +168,9 @@ static bool render_value(struct render *render, int option, const char *text)
         return true;
     case RENDER_FORMAT:
         return render_choose(cli_choice(text, cli_formats, GLINT_FORMATS), &config->format);
+    case RENDER_SHOW:
+        render->show = true;
+        return strcmp(text, "plan") == 0;
     case RENDER_BUDGET:
         return cli_budget(text, &config->budget);
     case RENDER_POWER:
@@ -244,13 +250,18 @@ static void render_flag(struct render *render, int option)
 /* Finds the method by --method, --subdivide and --perspective together: "subdivide-centre", "x-perspective". */
 static int render_choose_method(struct render *render)
 {
+    static const struct glint_choice shown = {"auto", &glint_auto_shown};
+    const bool planned = strcmp(render->method, "auto") == 0; /* it sees to perspective itself */
     char name[64];
+    if (render->show && !planned)
+        return cli_usage(render_name, "--show plan is of --method auto");
     if (!render->subdivide && strcmp(render->method, "subdivide") == 0)
         render->subdivide = "centre";
-    int length = snprintf(name, sizeof name, "%s%s%s%s", render->method, render->subdivide ? "-" : "",
-                          render->subdivide ? render->subdivide : "", render->perspective ? "-perspective" : "");
+    int length =
+        snprintf(name, sizeof name, "%s%s%s%s", render->method, render->subdivide ? "-" : "",
+                 render->subdivide ? render->subdivide : "", render->perspective && !planned ? "-perspective" : "");
     if (length < (int)sizeof name)
-        render->renderer.choice = renderer_find(name);
+        render->renderer.choice = render->show ? &shown : renderer_find(name);
     return render->renderer.choice
                ? -1
                : cli_usage(render_name, "there is no method '%s'; `glint methods` lists them", name);
@@ -386,7 +397,7 @@ static int render_frames(struct render *render)
 int cmd_render(int argc, char **argv)
 {
     struct render render = {
-        .rate = 30, .method = "x", .renderer.config.format = GLINT_RGB888, .streamer.key_every = 60};
+        .rate = 30, .method = "auto", .renderer.config.format = GLINT_RGB888, .streamer.key_every = 60};
     struct pack_result packed = {0};
     argv[0] = (char *)render_name;
     int code = render_parse(&render, argc, argv);

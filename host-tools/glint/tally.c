@@ -107,7 +107,7 @@ void tally_print(const struct tally *tally, const struct renderer *renderer, boo
     tally_count("fogged", tally->fogged, "drawn ones that some fog reaches", json);
     tally_count("fogged_by_pixel", tally->fogged_by_pixel, "of them, those whose fog is found at each pixel", json);
     tally_count("fogged_wholly", tally->fogged_wholly, "of them, those that are all fog: unlit", json);
-    if (config->method == &glint_auto)
+    if (config->method == &glint_auto || config->method == &glint_auto_shown)
         tally_plan(tally, config, json);
     printf(json ? "\"ms_per_frame\": %.3f}\n" : "ms_per_frame         %.3f  on this machine, without output\n", each);
 }

@@ -78,6 +78,8 @@ void report_print_effects(FILE *out, const struct scene_header *s)
 {
     fputs("effects ", out);
     uses_print(out, s->effects);
+    fputs("\nmethods ", out);
+    uses_print_methods(out, s->effects);
     fputc('\n', out);
 }
 

@@ -61,7 +61,7 @@ struct report_totals {
 };
 
 struct report_totals report_count(const struct scene_header *scene);
-/* What the scene can need of the renderer (firmware/uses.h). */
+/* What the scene can need of the renderer (firmware/uses.h): effects, and the methods that may be of use. */
 void report_print_effects(FILE *out, const struct scene_header *scene);
 void report_print_bytes(FILE *out, const struct scene_header *scene);
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "pack/summary.h"
 
+#include "glint.h"
 #include "pack/report.h"
 #include "pack/uses.h"
 
@@ -197,6 +198,15 @@ static json_t *json_effects(const struct scene_header *s)
     return array;
 }
 
+static json_t *json_methods(const struct scene_header *s)
+{
+    json_t *array = json_array();
+    for (unsigned i = 0; i < glint_choice_count; i++)
+        if (uses_method(s->effects, glint_choices[i].name))
+            json_array_append_new(array, json_string(glint_choices[i].name));
+    return array;
+}
+
 void summary_json(FILE *out, const struct scene_header *s)
 {
     struct report_totals t = report_count(s);
@@ -211,6 +221,7 @@ void summary_json(FILE *out, const struct scene_header *s)
                   json_lights(s), "objects", json_objects(s), "bytes", bytes);
     json_object_set_new(root, "textures", json_textures(s));
     json_object_set_new(root, "effects", json_effects(s));
+    json_object_set_new(root, "methods", json_methods(s));
     json_dumpf(root, out, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
     fputc('\n', out);
     json_decref(root);

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "pack/uses.h"
 
+#include "glint.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -31,6 +33,21 @@ void uses_print(FILE *out, uint32_t uses)
     for (const struct uses_name *n = uses_names; n->name; n++)
         if (uses & n->bit)
             fprintf(out, " %s", n->name);
+}
+
+bool uses_method(uint32_t uses, const char *name)
+{
+    const char *const ending = strrchr(name, '-');
+    if (!strncmp(name, "bump-", 5))
+        return uses & USES_BUMP;
+    return !ending || strcmp(ending, "-perspective") != 0 || uses & USES_PERSPECTIVE;
+}
+
+void uses_print_methods(FILE *out, uint32_t uses)
+{
+    for (unsigned i = 0; i < glint_choice_count; i++)
+        if (uses_method(uses, glint_choices[i].name))
+            fprintf(out, " %s", glint_choices[i].name);
 }
 
 /* How far a far light stands on the eye's side: the cosine of its angle to the view, -1..1. */

@@ -5,6 +5,7 @@
 
 #include "scene/scene_effects.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 
@@ -16,6 +17,13 @@ extern const struct uses_name uses_names[]; /* effects, then formats; the last h
 
 /* The names of a set, each behind a space, or " none". */
 void uses_print(FILE *out, uint32_t uses);
+
+/* Whether a method draws scenes of these effects otherwise than a plainer one: of those for bump maps and for
+ * perspective views it does where there are such. */
+bool uses_method(uint32_t uses, const char *name);
+
+/* The names of these, each behind a space. */
+void uses_print_methods(FILE *out, uint32_t uses);
 
 /*
  * Sorts lights so that those come first which light the more of what can be seen: a triangle that only the first

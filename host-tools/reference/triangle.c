@@ -184,7 +184,7 @@ static void triangle_render(struct triangle_target *target, const struct decode_
         shading.edges = (shading.edges & 2u) | (shading.edges & 1u) << 2 | (shading.edges >> 2 & 1u);
         area = -area;
     }
-    if (area <= 0)
+    if (target->drawn ? area == 0 : area <= 0) /* what is drawn and all but edge-on may be a back here by a rounding */
         return;
     for (int i = 0; i < 3; i++) {
         place[i][0] = p[i].x / 16;

@@ -33,7 +33,8 @@ int drawing_make(uint8_t *pixels, const struct scene_header *scene, const char *
 {
     const struct scene_camera *camera = &scene->camera;
     struct drawing_keeper keeper = {{&drawing_ops}, pixels, (size_t)camera->reference_width * (how->colour ? 3 : 1)};
-    struct renderer renderer = {.choice = renderer_find(how->method),
+    const struct glint_choice other = {"plan", how->show};
+    struct renderer renderer = {.choice = how->method ? renderer_find(how->method) : &other,
                                 .config = {.width = camera->reference_width,
                                            .height = camera->reference_height,
                                            .band_rows = camera->reference_height,
@@ -49,7 +50,8 @@ int drawing_make(uint8_t *pixels, const struct scene_header *scene, const char *
     if (stats)
         *stats = renderer.frame.stats;
     if (renderer.dropped) {
-        fprintf(stderr, "%s: a frame by %s lacks %u triangles\n", path, how->method, (unsigned)renderer.dropped);
+        fprintf(stderr, "%s: a frame by %s lacks %u triangles\n", path, renderer.choice->name,
+                (unsigned)renderer.dropped);
         code = CLI_BAD_DATA;
     }
     renderer_close(&renderer);

@@ -11,7 +11,8 @@
 
 /* How: a method that exists. */
 struct drawing {
-    const char *method;
+    const char *method; /* null: `show`, another */
+    const struct glint_method *show;
     const struct glint_power *power; /* form of the highlight's power; null: the table */
     uint16_t budget_q8;              /* of auto; 0: the default */
     bool colour;                     /* RGB888, three bytes a pixel */

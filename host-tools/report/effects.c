@@ -2,11 +2,13 @@
 #include "report/effects.h"
 
 #include "glint/cli.h"
+#include "glint/show.h"
 #include "pack/pack.h"
 #include "report/drawing.h"
 #include "report/picture.h"
 #include "report/plot.h"
 #include "report/survey.h"
+#include "report/sweep.h"
 #include "scene/model.h"
 
 #include <math.h>
@@ -17,7 +19,7 @@ struct effects_case {
     char scene[SURVEY_NAME];
     struct pack_result packed;
     struct reference_image truth;
-    uint8_t *drawn, *rounded, *difference; /* RGB888, RGB888, levels */
+    uint8_t *drawn, *rounded, *plan, *difference; /* three in RGB888, and levels */
     struct glint_stats stats;
     struct compare_result error;
 };
@@ -33,9 +35,13 @@ static int effects_draw(struct effects_case *c)
     const size_t pixels = (size_t)c->truth.width * c->truth.height;
     c->drawn = model_alloc(3 * pixels);
     c->rounded = model_alloc(3 * pixels);
+    c->plan = model_alloc(3 * pixels);
     c->difference = model_alloc(pixels);
     int code = drawing_make(c->drawn, c->packed.scene, c->path, &(struct drawing){.method = "auto", .colour = true},
                             &c->stats);
+    if (!code)
+        code = drawing_make(c->plan, c->packed.scene, c->path, &(struct drawing){.show = &show_plan, .colour = true},
+                            NULL);
     if (code)
         return code;
     drawing_compare(c->drawn, &c->truth, c->truth.covered, &c->error);
@@ -101,7 +107,8 @@ static int effects_scene(FILE *out, const char *path)
         fprintf(out, "<div class=\"card\" id=\"effect-%s\"><h3>%s</h3><div class=\"row\">\n", c.scene, c.scene);
         bool done = effects_picture(out, &c, c.drawn, PICTURE_RGB, "auto, budget 2") &&
                     effects_picture(out, &c, c.rounded, PICTURE_RGB, "the truth") &&
-                    effects_picture(out, &c, c.difference, PICTURE_DIFFERENCE, "their difference");
+                    effects_picture(out, &c, c.difference, PICTURE_DIFFERENCE, "their difference") &&
+                    effects_picture(out, &c, c.plan, PICTURE_RGB, "what auto chose");
         fprintf(out, "</div>");
         effects_figures(out, &c);
         fprintf(out, "</div>\n");
@@ -112,6 +119,7 @@ static int effects_scene(FILE *out, const char *path)
     }
     free(c.drawn);
     free(c.rounded);
+    free(c.plan);
     free(c.difference);
     reference_free(&c.truth);
     pack_free(&c.packed);
@@ -125,7 +133,9 @@ int effects_write(FILE *out, const char *const paths[], unsigned count)
             "<h2 id=\"effects\">Effects</h2>\n"
             "<p>Each scene by auto, within 2/255 of per-pixel Phong with the scene\u2019s own effects, in colour. A "
             "difference is that of the channel that is farthest off, in the colours above: from half a step of 255 "
-            "on, an octave each.</p>\n<div class=\"rows\">\n");
+            "on, an octave each. What auto chose, by the triangle, cheapest first:");
+    sweep_legend(out);
+    fprintf(out, ".</p>\n<div class=\"rows\">\n");
     for (unsigned i = 0; !code && i < count; i++)
         code = effects_scene(out, paths[i]);
     fprintf(out, "</div>\n");

@@ -61,7 +61,11 @@ void page_begin(FILE *out, const char *const paths[], unsigned count, const stru
         "tables <b>bound</b> is the largest error that a triangle of the frame was promised, and a way has its "
         "triangles and its share of the pixels; lights and highlights are <b>hidden</b> that can reach no pixel of a "
         "triangle, <b>dropped</b> that are within the budget, dot products <b>straightened</b> that are drawn linear, "
-        "triangles <b>undivided</b> that a perspective view draws as a flat one.</p>\n<nav>");
+        "triangles <b>undivided</b> that a perspective view draws as a flat one. Below them, what each triangle was "
+        "drawn "
+        "by:");
+    sweep_legend(out);
+    fprintf(out, ".</p>\n<nav>");
     for (unsigned i = 0; i < count; i++)
         if (survey_name(paths[i], name))
             fprintf(out, "<a href=\"#%s\">%s</a>\n", name, name);
@@ -200,9 +204,9 @@ int page_scene(FILE *out, const struct survey *survey)
         fprintf(out, "</figure>\n");
     }
     fprintf(out, "</div>\n");
-    sweep_write(out, survey);
+    bool done = sweep_write(out, survey);
     fprintf(out, "<div class=\"cards\">\n");
-    bool done = page_truth(out, survey);
+    done = done && page_truth(out, survey);
     for (unsigned i = 0; i < survey->count && done; i++)
         done = page_card(out, survey, &survey->rows[i]);
     fprintf(out, "</div>\n");

@@ -226,6 +226,8 @@ void survey_free(struct survey *survey)
         free(survey->rows[m].difference);
     }
     free(survey->rows);
+    for (unsigned i = 0; i < survey->budget_count; i++)
+        free(survey->budgets[i].plan);
     free(survey->budgets);
     free(survey->truth);
     free(survey->covered);

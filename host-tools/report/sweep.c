@@ -2,7 +2,9 @@
 #include "report/sweep.h"
 
 #include "glint/cli.h"
+#include "glint/show.h"
 #include "report/drawing.h"
+#include "report/picture.h"
 #include "report/plot.h"
 #include "scene/model.h"
 
@@ -19,32 +21,42 @@ static int sweep_order(const void *a, const void *b)
     return x->budget_q8 < y->budget_q8 ? -1 : x->budget_q8 > y->budget_q8;
 }
 
+static int sweep_price(struct survey_budget *budget, const struct survey *survey, const struct costs *costs)
+{
+    for (enum costs_cpu cpu = 0; cpu < COSTS_CPUS; cpu++) {
+        const struct costs_budget *cost = costs_find_budget(costs, cpu, survey->scene, budget->budget_q8);
+        if (!cost) {
+            fprintf(stderr, "%s: no line for %s within %u on %s\n", costs->budgets_path, survey->scene,
+                    budget->budget_q8, costs_cpu_names[cpu]);
+            return CLI_BAD_DATA;
+        }
+        budget->instructions[cpu] = cost->instructions;
+    }
+    return CLI_DONE;
+}
+
 int sweep_measure(struct survey *survey, const char *path, const struct scene_header *scene,
                   const struct reference_image *truth, const struct costs *costs)
 {
+    const size_t pixels = (size_t)survey->width * survey->height;
+    uint8_t *grey = model_alloc(pixels);
     int code = CLI_DONE;
-    uint8_t *grey = model_alloc((size_t)survey->width * survey->height);
     survey->budgets = model_alloc((costs->budget_count + 1) * sizeof *survey->budgets);
     for (size_t i = 0; !code && i < costs->budget_count; i++) {
         const struct costs_budget *own = &costs->budgets[i];
         if (own->cpu != COSTS_M3 || strcmp(own->scene, survey->scene) != 0)
             continue;
         struct survey_budget *budget = &survey->budgets[survey->budget_count++];
-        *budget = (struct survey_budget){.budget_q8 = own->budget_q8};
-        for (enum costs_cpu cpu = 0; cpu < COSTS_CPUS; cpu++) {
-            const struct costs_budget *cost = costs_find_budget(costs, cpu, survey->scene, own->budget_q8);
-            if (!cost) {
-                fprintf(stderr, "%s: no line for %s within %u on %s\n", costs->budgets_path, survey->scene,
-                        own->budget_q8, costs_cpu_names[cpu]);
-                free(grey);
-                return CLI_BAD_DATA;
-            }
-            budget->instructions[cpu] = cost->instructions;
-        }
-        const struct drawing how = {.method = "auto", .budget_q8 = (uint16_t)own->budget_q8};
-        code = drawing_make(grey, scene, path, &how, &budget->stats);
+        *budget = (struct survey_budget){.budget_q8 = own->budget_q8, .plan = model_alloc(3 * pixels)};
+        struct drawing how = {.method = "auto", .budget_q8 = (uint16_t)own->budget_q8};
+        code = sweep_price(budget, survey, costs);
         if (!code)
-            drawing_compare(grey, truth, survey->covered, &budget->error);
+            code = drawing_make(grey, scene, path, &how, &budget->stats);
+        if (code)
+            break;
+        drawing_compare(grey, truth, survey->covered, &budget->error);
+        how = (struct drawing){.show = &show_plan, .colour = true, .budget_q8 = how.budget_q8};
+        code = drawing_make(budget->plan, scene, path, &how, NULL);
     }
     qsort(survey->budgets, survey->budget_count, sizeof *survey->budgets, sweep_order);
     free(grey);
@@ -169,14 +181,48 @@ static void sweep_row(FILE *out, const struct survey_budget *budget)
     fprintf(out, "</tr>\n");
 }
 
-void sweep_write(FILE *out, const struct survey *survey)
+/* What it was drawn by, of every second budget. */
+static bool sweep_plans(FILE *out, const struct survey *survey)
+{
+    const struct survey_box *box = &survey->box;
+    bool done = true;
+    fprintf(out, "<div class=\"row\">");
+    for (unsigned i = 0; i < survey->budget_count && done; i += 2) {
+        const struct survey_budget *budget = &survey->budgets[i];
+        const struct picture picture = {budget->plan + 3 * ((size_t)box->top * survey->width + box->left),
+                                        3 * survey->width, box->width, box->height, PICTURE_RGB};
+        char caption[160];
+        snprintf(caption, sizeof caption, "what auto chose of %s within %g", survey->scene, budget->budget_q8 / 256.);
+        fprintf(out, "<figure>");
+        done = picture_write(out, &picture, caption);
+        fprintf(out, "<figcaption>within %g</figcaption></figure>\n", budget->budget_q8 / 256.);
+    }
+    fprintf(out, "</div>\n");
+    return done;
+}
+
+void sweep_legend(FILE *out)
+{
+    for (unsigned i = 0; i < PLAN_RUNGS; i++) {
+        const uint8_t *rgb = show_ways[i].rgb;
+        fprintf(out, " <span style=\"background:#%02x%02x%02x;padding:0 .6em\"></span>\u00a0%s", rgb[0], rgb[1], rgb[2],
+                glint_method_names[show_ways[i].id]);
+    }
+}
+
+bool sweep_write(FILE *out, const struct survey *survey)
 {
     if (!survey->budget_count)
-        return;
+        return true;
     fprintf(out, "<p><b>What to choose.</b>");
-    sweep_budget(out, survey, SWEEP_SEEN, "Where nothing may be seen,");
-    sweep_budget(out, survey, SWEEP_FAST, "Where speed counts,");
-    sweep_methods(out, survey);
+    if (survey->ideal_triangles) {
+        fprintf(out, " No budget: they are of per-pixel Phong of this very mesh, and the truth here is of the curved "
+                     "surface, to which Phong is no nearer.");
+    } else {
+        sweep_budget(out, survey, SWEEP_SEEN, "Where nothing may be seen,");
+        sweep_budget(out, survey, SWEEP_FAST, "Where speed counts,");
+        sweep_methods(out, survey);
+    }
     fprintf(out, "</p>\n<div class=\"wide\"><table>\n<tr><th>budget</th><th>bound</th><th>largest</th><th>RMS</th>"
                  "<th>dB</th>");
     for (enum costs_cpu cpu = 0; cpu < COSTS_CPUS; cpu++)
@@ -189,6 +235,7 @@ void sweep_write(FILE *out, const struct survey *survey)
     for (unsigned i = 0; i < survey->budget_count; i++)
         sweep_row(out, &survey->budgets[i]);
     fprintf(out, "</table></div>\n");
+    return sweep_plans(out, survey);
 }
 
 void sweep_csv_head(FILE *out)

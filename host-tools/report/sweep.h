@@ -13,8 +13,12 @@
 int sweep_measure(struct survey *survey, const char *path, const struct scene_header *scene,
                   const struct reference_image *truth, const struct costs *costs);
 
-/* Writes what to choose when, and a table, as HTML; nothing where no budget was measured. */
-void sweep_write(FILE *out, const struct survey *survey);
+/* Writes what to choose when, a table, and pictures of what was drawn by what, as HTML; nothing where no budget was
+ * measured. False: out of memory. */
+bool sweep_write(FILE *out, const struct survey *survey);
+
+/* The colours of such pictures. */
+void sweep_legend(FILE *out);
 
 /* The same figures as CSV. */
 void sweep_csv_head(FILE *out);

@@ -5,6 +5,7 @@ import struct
 import sys
 import tempfile
 import time
+import zlib
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from oled import HEIGHT, WIDTH, Oled
@@ -120,9 +121,9 @@ def turns(oled):
 
 def scenes_and_methods(oled):
     seen = [shows(oled, "the next scene", change(oled, "scene", "right")) for _ in range(8)]
-    seen += [shows(oled, "the next method", change(oled, "method", "right")) for _ in range(20)]
+    seen += [shows(oled, "the next method", change(oled, "method", "right")) for _ in range(21)]
     scenes, methods = {told.scene for told in seen}, {told.method for told in seen}
-    verdict(f"{len(scenes)} scenes, {len(methods)} methods", None if (len(scenes), len(methods)) == (8, 20) else "fewer")
+    verdict(f"{len(scenes)} scenes, {len(methods)} methods", None if (len(scenes), len(methods)) == (8, 21) else "fewer")
     dropped = [told.line for told in seen if told.dropped]
     verdict("every triangle found room", ", ".join(dropped))
     while Told(line := change(oled, "method", "left")).method != "subdivide-centre":
@@ -174,20 +175,32 @@ def altered(folder, change):
     return path
 
 
-def turn_scene_bit(data):
+def scene_in(data):
     # magic, then version, 0 and length; the same word also stands in the code that checks it
     at = data.find(b"GLT1")
-    while struct.unpack_from("<HH", data, at + 4) != (1, 0) or struct.unpack_from("<I", data, at + 8)[0] > 1 << 16:
+    while struct.unpack_from("<HH", data, at + 4) != (2, 0) or struct.unpack_from("<I", data, at + 8)[0] > 1 << 16:
         at = data.index(b"GLT1", at + 1)
-    data[at + 400] ^= 1
+    return at
 
 
-def damaged():
-    """One bit of the first scene's blob is turned over."""
-    with tempfile.TemporaryDirectory() as folder, Oled(altered(folder, turn_scene_bit)) as oled:
+def turn_scene_bit(data):
+    data[scene_in(data) + 400] ^= 1
+
+
+def want_fog(data):
+    """The first scene says that it needs fog, which no scene of the board has (struct scene_header: effects)."""
+    at = scene_in(data)
+    length, = struct.unpack_from("<I", data, at + 8)
+    data[at + 60] |= 4
+    struct.pack_into("<I", data, at + 12, zlib.crc32(data[at + 16:at + length]))
+
+
+def damaged(change_scene, reason):
+    """The first scene's blob is not one that can be drawn."""
+    with tempfile.TemporaryDirectory() as folder, Oled(altered(folder, change_scene)) as oled:
         line = oled.line()
-        verdict(f"a damaged scene is told on the serial line: {line}",
-                None if line and line.startswith("error ") else f"{line!r}")
+        verdict(f"a scene that cannot be drawn is told on the serial line: {line}",
+                None if line and line.startswith("error ") and reason in line else f"{line!r}")
         shown = levels(oled.screen())
         verdict("and on the screen, in black and white",
                 None if set(shown) == {0, 15} and shown.count(15) > 50 else f"{sorted(set(shown))}")
@@ -199,5 +212,6 @@ def damaged():
 
 
 pictures()
-damaged()
+damaged(turn_scene_bit, "damaged")
+damaged(want_fog, "compiled without")
 sys.exit(failed != 0)

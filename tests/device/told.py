@@ -29,7 +29,7 @@ def host(glint, told, size, options):
     elif told.method.endswith("-perspective"):
         method = ["--method", told.method[:-len("-perspective")], "--perspective"]
     return subprocess.run([glint, "render", f"tests/scenes/{told.scene}.json", "--size", "%dx%d" % tuple(size), "--time", told.moment,
-                           "--turn", told.turn, "--tolerance", told.budget, "--output-format", "raw", "-o", "-"] + method + options,
+                           "--turn", told.turn, "--tolerance", told.budget, "--budget", told.budget, "--output-format", "raw", "-o", "-"] + method + options,
                           check=True, stdout=subprocess.PIPE).stdout
 
 

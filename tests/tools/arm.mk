@@ -102,7 +102,19 @@ PLAIN_ELF := $(foreach c,$(PLAIN_CPUS),$(foreach p,plain plain-without plain-all
 
 $(foreach c,$(CPUS),$(eval $(call image_rule,$(c),golden,$(GOLDEN_C),$(MPS2_HAL),$(MPS2_LINK))))
 $(foreach c,$(CPUS),$(eval $(call image_rule,$(c),bench,$(BENCH_C),$(MPS2_HAL),$(MPS2_LINK))))
-$(foreach c,$(REPORT_CPUS),$(eval $(call image_rule,$(c),report,$(REPORT_C),$(MPS2_HAL),$(MPS2_LINK))))
+# The report's, compiled for its scenes and format as a board's program is.
+define report_cpu
+USES_$(1)-report := $(BUILD)/$(1)-report/uses.h
+CPU_$(1)-report := $(CPU_$(1))
+DEFS_$(1)-report := -DPROGRAM_COUNTS
+$(call cpu_rules,$(1)-report)
+$(BUILD)/$(1)-report/uses.h: $(REPORT_JSON) $(PACK) always
+	@mkdir -p $$(@D)
+	$$(Q)$(PACK) pack --uses grey8 $(REPORT_JSON) >$$@.new && { cmp -s $$@.new $$@ && rm $$@.new || mv $$@.new $$@; }
+$(call image_rule,$(1)-report,report,$(REPORT_C),$(MPS2_HAL),$(MPS2_LINK))
+endef
+REPORT_JSON := $(foreach s,$(REPORT_SCENES),$(call scene_file,$(s)))
+$(foreach c,$(REPORT_CPUS),$(eval $(call report_cpu,$(c))))
 $(foreach c,$(CPUS),$(eval $(call image_rule,$(c),stream,$(STREAM_C),$(MPS2_HAL),$(MPS2_LINK))))
 $(foreach c,$(CPUS),$(eval $(call image_rule,$(c),setup,$(SETUP_C),$(MPS2_HAL),$(MPS2_LINK))))
 $(eval $(call image_rule,m0,golden,$(GOLDEN_SMALL_C),$(MICROBIT_HAL),$(MICROBIT_LINK)))

@@ -30,12 +30,13 @@ empty :=
 set_key = $(subst $(empty) $(empty),+,$(OBJ_$(1)) $(FORMATS_$(1)) $(SCENES_$(1)))
 set_of = $(firstword $(foreach b,$(BOARDS),$(if $(filter $(call set_key,$(1)),$(call set_key,$(b))),$(b)-set)))
 scene_list = $(1:%=$(SCENE_DIR)/%.c)
-# The image $(2) of board $(1), which links the methods $(3), or all: firmware/methods.c with fewer lines decides. $(4) the
+# The image $(2) of board $(1), which links the methods $(3), or all that its scenes can use: firmware/methods.c with fewer lines
+# decides. $(4) the
 # scenes, as C; $(5) the renderer's folder, if not the board's.
 define app_rule
-$(BUILD)/$(1)/$(2)-methods.c: firmware/methods.c tests/tools/method_list.sh always
+$(BUILD)/$(1)/$(2)-methods.c: firmware/methods.c tests/tools/method_list.sh $(BUILD)/$(or $(5),$(call set_of,$(1)))/uses.h always
 	@mkdir -p $$(@D)
-	$$(Q)tests/tools/method_list.sh $$< $(3) >$$@.new || { rm $$@.new; exit 2; }; cmp -s $$@.new $$@ && rm $$@.new || mv $$@.new $$@
+	$$(Q)tests/tools/method_list.sh $$< $(BUILD)/$(or $(5),$(call set_of,$(1)))/uses.h $(3) >$$@.new || { rm $$@.new; exit 2; }; cmp -s $$@.new $$@ && rm $$@.new || mv $$@.new $$@
 $(BUILD)/$(1)/$(2)-scenes.c: tests/tools/scene_list.sh always
 	@mkdir -p $$(@D)
 	$$(Q)tests/tools/scene_list.sh $(basename $(notdir $(4))) >$$@.new; cmp -s $$@.new $$@ && rm $$@.new || mv $$@.new $$@

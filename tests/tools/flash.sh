@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# flash.sh CPU...: flash of a program that draws by one method, mem* and libgcc included, from the objects in $BUILD. A
-# CSV line a CPU and method of firmware/methods.c.
+# flash.sh CPU...: flash of a program that draws the report's scenes by one method, mem* and libgcc included, from the
+# objects in $BUILD. A CSV line a CPU and method of firmware/methods.c.
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -11,7 +11,8 @@ methods=$(tr '\n' ' ' <firmware/methods.c | grep -oE '\{"[^"]+", *&glint_[a-z0-9
 echo cpu,method,bytes
 for cpu in "$@"; do
     case $cpu in m0plus) flags=-mcpu=cortex-m0plus ;; *) flags=-mcpu=cortex-$cpu ;; esac
-    mapfile -t objects < <(find "$BUILD/$cpu/firmware" -name '*.o')
+    objects_of=$BUILD/$cpu-report
+    mapfile -t objects < <(find "$objects_of/firmware" -name '*.o')
     while read -r name symbol; do
         echo "#include \"glint.h\"
             int entry(struct glint_frame *f, struct glint_config *c, const void *scene, struct glint_band *b);
@@ -22,8 +23,8 @@ for cpu in "$@"; do
                 return glint_scene_check(scene, 1) + glint_init(f, c) + glint_frame_begin(f, scene, 0) +
                        glint_frame_next_band(f, b);
             }" >"$work/entry.c"
-        arm-none-eabi-gcc "$flags" -mthumb -std=c11 -Os -Ifirmware -ffreestanding -nostdlib -Wl,-e,entry,--gc-sections \
-            "$work/entry.c" "${objects[@]}" "$BUILD/$cpu/hal/cortexm/mem.o" "$BUILD/$cpu/hal/cortexm/divide.o" -lgcc -o "$work/entry.elf"
+        arm-none-eabi-gcc "$flags" -mthumb -std=c11 -Os -Ifirmware -ffreestanding -include "$objects_of/uses.h" -nostdlib -Wl,-e,entry,--gc-sections \
+            "$work/entry.c" "${objects[@]}" "$objects_of/hal/cortexm/mem.o" "$objects_of/hal/cortexm/divide.o" -lgcc -o "$work/entry.elf"
         echo "$cpu,$name,$(arm-none-eabi-size "$work/entry.elf" | awk 'NR == 2 { print $1 + $2 }')"
     done <<<"$methods"
 done

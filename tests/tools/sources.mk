@@ -9,10 +9,10 @@ COLD_SRC := $(wildcard firmware/app/*.c firmware/scene/*.c firmware/stream/*.c h
 	$(addprefix hal/cortexm/,start.c fault.c stack.c uart.c) $(addprefix hal/panels/,bars.c panel.c wire.c) \
 	firmware/memory.c $(filter-out %/plan.c,$(wildcard firmware/plan/*.c)) $(addprefix firmware/fixed/,divide.c power.c) \
 	$(addprefix firmware/geometry/,clip.c light.c project.c rotation.c transform.c) \
-	$(addprefix firmware/shade/,color6.c dots.c normal_quadratic.c part.c perspective.c piece.c plane_wide.c uv.c) \
+	$(addprefix firmware/shade/,bump.c color6.c dots.c normal_quadratic.c part.c perspective.c piece.c plane_wide.c uv.c) \
 	$(addprefix firmware/raster/,draw_highlight.c draw_subdivide.c draw_overveld_scan.c fine.c parts.c split.c table.c)
 # What is of effects alone: a program for scenes without them needs none of these.
-EFFECT_SRC := $(foreach e,texture texel uv split bump fog sided effects power,$(wildcard firmware/plan/*$(e)*.c firmware/shade/*$(e)*.c firmware/raster/*$(e)*.c)) \
+EFFECT_SRC := $(foreach e,texture texel uv split bump fog sided turn effects power,$(wildcard firmware/plan/*$(e)*.c firmware/shade/*$(e)*.c firmware/raster/*$(e)*.c)) \
 	firmware/scene/texel.c firmware/plan/highlighted.c firmware/plan/summit.c firmware/raster/draw_highlight.c
 SETUP_SRC := $(wildcard tests/setups/setup_*.c)
 # Of the program for Linux, what wants neither libgpiod nor a device.

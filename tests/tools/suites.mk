@@ -108,7 +108,7 @@ bench-table: $(BUILD)/bench/device.csv $(BUILD)/bench/bench $(PLAIN_ELF)
 
 # What the report's program counts: $(1) the columns, $(2) its argument, $(3) the file
 define report_rule
-$(REPORT_CPUS:%=$(BUILD)/report/%-$(2).csv): $(BUILD)/report/%-$(2).csv: $(BUILD)/%/report.elf
+$(REPORT_CPUS:%=$(BUILD)/report/%-$(2).csv): $(BUILD)/report/%-$(2).csv: $(BUILD)/%-report/report.elf
 	$$(call say,COUNT,'$$< $(2)')
 	@mkdir -p $$(@D)
 	$$(Q)$$(call QEMU,$$*) -icount shift=0 -append $(2) -kernel $$< >$$@.part || { grep '^error' $$@.part >&2; false; }
@@ -122,11 +122,10 @@ $(eval $(call report_rule,cpu|scene|method|width|height|format|instructions|pict
 $(eval $(call report_rule,cpu|scene|power|exponent|instructions,power,powers))
 $(eval $(call report_rule,cpu|scene|budget_q8|instructions,budget,budgets))
 
-$(BUILD)/report/flash.csv: $(REPORT_CPUS:%=$(BUILD)/%/report.elf) tests/tools/flash.sh
+$(BUILD)/report/flash.csv: $(REPORT_CPUS:%=$(BUILD)/%-report/report.elf) tests/tools/flash.sh
 	@mkdir -p $(@D)
 	$(Q)tests/tools/flash.sh $(REPORT_CPUS) >$@
 
-REPORT_JSON := $(foreach s,$(REPORT_SCENES),$(call scene_file,$(s)))
 REPORT_IDEAL := $(wildcard $(REPORT_JSON:.json=-ideal.json))
 STREAM_JSON := $(STREAM_SCENES:%=tests/scenes/%.json)
 # With the boards' section once `make bench-boards` has measured.

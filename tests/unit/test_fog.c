@@ -142,7 +142,7 @@ static void random_depths(const struct view_case *v, int32_t depth[3])
     }
 }
 
-static const char *const names[] = {"not", "evenly", "linearly", "by pixel", "wholly"};
+static const char *const names[FOGGED_KINDS] = {"not", "evenly", "linearly", "by run", "by pixel", "wholly"};
 
 /* What a pixel with these barycentric coordinates gets, from the plan. */
 static double planned(const struct view_case *v, const struct fog_plan *plan, const int32_t depth[3],
@@ -160,7 +160,7 @@ static double planned(const struct view_case *v, const struct fog_plan *plan, co
 static void a_plan_is_within_its_error(void **state)
 {
     static const uint32_t allowances[] = {0, 8, 64, 257, 2048, 16384};
-    unsigned count[5] = {0};
+    unsigned count[FOGGED_KINDS] = {0};
     double reached = 0;
     (void)state;
     random_seed(2);
@@ -194,12 +194,50 @@ static void a_plan_is_within_its_error(void **state)
             assert_true((1 - is) * 65536 <= plan.shown + 8. + most * 65536);
         }
     }
-    for (int k = 0; k < 5; k++)
+    for (int k = 0; k < FOGGED_KINDS; k++)
         print_message("%s: %u\n", names[k], count[k]);
     print_message("up to %.2f of the bound\n", reached);
-    for (int k = 0; k < 5; k++)
-        assert_true(count[k] > 500);
+    for (int k = 0; k < FOGGED_KINDS; k++)
+        assert_true(k == FOGGED_BY_RUN || count[k] > 500); /* that is decided later */
     assert_true(reached > .9);
+}
+
+/* The part between a run's ends, in a triangle of such depths. */
+static void a_run_is_within_its_error(void **state)
+{
+    double reached = 0;
+    unsigned count = 0;
+    (void)state;
+    random_seed(4);
+    for (int i = 0; i < 60000; i++) {
+        struct view_case v;
+        int32_t depth[3], low, high;
+        open_random(&v);
+        if (!v.fog.kind)
+            continue;
+        random_depths(&v, depth);
+        low = depth[0] < depth[1] ? depth[0] : depth[1];
+        low = depth[2] < low ? depth[2] : low;
+        high = depth[0] > depth[1] ? depth[0] : depth[1];
+        high = depth[2] > high ? depth[2] : high;
+        const double step = (high - low) * random_fraction();
+        const uint32_t error = fog_run_error(&v.fog, depth, (uint32_t)ceil(step * 65536));
+        const double from = low + (high - low - step) * random_fraction(), to = from + step;
+        const double first = fog_part(&v.fog, (uint32_t)(from * 65536)),
+                     last = fog_part(&v.fog, (uint32_t)(to * 65536));
+        for (int j = 1; j < 8; j++) {
+            const double t = j / 8., at = from + t * step;
+            const double off = fabs(first + t * (last - first) - fog_part(&v.fog, (uint32_t)(at * 65536)));
+            if (off > error + 16) /* roundings of the parts themselves */
+                fail_msg("run %d: off by %.1f, not %u", i, off, error);
+            if (error > 200 && error < 65536) {
+                reached = fmax(reached, off / error);
+                count++;
+            }
+        }
+    }
+    print_message("up to %.2f of the bound, %u\n", reached, count);
+    assert_true(count > 10000 && reached > .8);
 }
 
 static void what_is_left_out_cannot_show(void **state)
@@ -270,6 +308,7 @@ int main(void)
         cmocka_unit_test(a_part_is_its_formula_within_what_is_written),
         cmocka_unit_test(the_error_written_is_nearly_reached),
         cmocka_unit_test(a_plan_is_within_its_error),
+        cmocka_unit_test(a_run_is_within_its_error),
         cmocka_unit_test(what_is_left_out_cannot_show),
         cmocka_unit_test(fog_behind_the_far_plane_is_none),
         cmocka_unit_test(extremes_are_drawn),

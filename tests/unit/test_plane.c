@@ -116,7 +116,7 @@ static void truth(int x, int y, double *linear, double *bend)
     }
 }
 
-static double worst[2][2]; /* [quadratic][exact] */
+static double worst[2][2];         /* [quadratic][exact] */
 static long tested[2][2], thin[2]; /* triangles that are not, and that are */
 
 static int32_t extent(void)

@@ -132,8 +132,8 @@ static void large_exponents_cost_what_is_written(void **state)
 /*
  * The quality of ideal arithmetic on torus 288 (PSNR in dB, largest difference in 1/255) at n = 5, 20, 50. Integers
  * come within 1 dB of it up to 50 dB; above, output in 8 bits is what limits: rounding the ideal picture itself
- * leaves 53.9, 54.3 and 53.9 dB of six's 55.9, 56.7 and 55.9, as a quarter of this picture is 25.5 exactly. Duff's table of
- * reciprocal lengths costs .1 at n = 50.
+ * leaves 53.9, 54.3 and 53.9 dB of six's 55.9, 56.7 and 55.9, as a quarter of this picture is 25.5 exactly. Duff's
+ * table of reciprocal lengths costs .1 at n = 50.
  */
 static void every_method_reaches_its_quality(void **state)
 {
