@@ -170,10 +170,10 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
         gather_piece(r, piece);
 }
 
-static uint32_t bits(unsigned set)
+static inline uint32_t bits(unsigned set)
 {
-    uint32_t count = 0;
-    for (; set; set &= set - 1)
+    uint32_t count = set & 1; /* most sets are of one light */
+    for (set >>= 1; set; set &= set - 1)
         count++;
     return count;
 }
