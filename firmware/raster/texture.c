@@ -108,7 +108,7 @@ static inline __attribute__((always_inline)) void nearest(struct raster *r, int 
         const uint32_t v = (uint32_t)r->uv[1][i] >> at.down_v & at.mask_v;
         const struct fields f = texel(&at, v << at.row | u, palette);
         multiply(sum, r->surface.texture.grey, f.red_blue & 0xffff0000, (palette ? f.green & 0xff : f.green) << 16,
-                 f.red_blue << 16, palette, grey);
+                 (f.red_blue & 0xffff) << 16, palette, grey);
     }
 }
 
