@@ -47,7 +47,7 @@ static const char render_help[] =
     "      --format F         rgb565, rgb888 (default), grey8 or grey4\n"
     "      --dither           ordered dither for rgb565 and grey4\n"
     "      --band-rows N      rows drawn at a time, 1..2048; the default is all. The picture is the same\n"
-    "      --tables N         colour tables of 16 KiB for rgb565, 0..255, default 0\n"
+    "      --tables N         tables of colours or highlights, one a material, 0..255, default 0\n"
     "      --no-plan          compute also what cannot be seen. The picture is the same\n"
     "      --every-zigzag     biquadratic: bends every edge that passes the paper's test, also where the triangles at "
     "it\n"
