@@ -34,8 +34,9 @@ uint32_t effects_draw(struct raster *r, struct edges *e, runs_shade *shade)
                 const uint32_t mask = raster_visible(r, x, y, n);
                 if (!mask)
                     continue;
-                for (uint32_t seen = mask; seen; seen &= seen - 1)
-                    drawn++;
+                drawn += (uint32_t)n;
+                for (uint32_t hidden = ~mask & ((1u << n) - 1); hidden; hidden &= hidden - 1)
+                    drawn--;
                 for (int i = 0; r->gloss != r->sum[0] && i < 3 * n; i++)
                     r->gloss[i] = 0;
                 shade(r, x, y, n);

@@ -95,24 +95,25 @@ void fogged_setup(struct raster *r, const struct glint_method *method)
  * that its product is below 2^30, and at 1 it leaves of the colour what is less than that, which no rounding shows, as
  * thresholds and the fog's colour are whole 2^-8 steps.
  */
-static inline __attribute__((always_inline)) uint32_t mixed(const struct raster *r, uint32_t sum, unsigned c,
+static inline __attribute__((always_inline)) uint32_t mixed(uint32_t sum, uint32_t top, int32_t fog_q8,
                                                             int32_t part_q14)
 {
-    const uint32_t top = r->surface.top[c], own = sum < top ? sum : top;
-    const int32_t way = (int32_t)r->fog_colour[c] - (int32_t)(own >> 7);
-    return (uint32_t)((int32_t)own + (way * part_q14 >> 7));
+    const uint32_t own = sum < top ? sum : top;
+    return (uint32_t)((int32_t)own + ((fog_q8 - (int32_t)(own >> 7)) * part_q14 >> 7));
 }
 
 /* The part stepped, Q30: interpolated it may pass its ends by a rounding. A template: `channels` is constant. */
 FX_WRAPS static inline __attribute__((always_inline)) void mix_steps(struct raster *r, uint32_t value, uint32_t step,
                                                                      int n, unsigned channels)
 {
+    const uint32_t top[3] = {r->surface.top[0], r->surface.top[1], r->surface.top[2]};
+    const int32_t fog[3] = {r->fog_colour[0], r->fog_colour[1], r->fog_colour[2]};
     for (uint32_t *sum = r->sum[0], *end = sum + 3 * n; sum != end; sum += 3, value += step) {
         int32_t part = (int32_t)value >> 16;
         part = part < 0 ? 0 : part;
         part = part > ONE_Q14 ? ONE_Q14 : part;
         for (unsigned c = 0; c < channels; c++)
-            sum[c] = mixed(r, sum[c], c, part);
+            sum[c] = mixed(sum[c], top[c], fog[c], part);
     }
 }
 
@@ -143,7 +144,7 @@ static void mix_each(struct raster *r, int x, int y, int n)
     }
     for (int i = 0; i < n; i++)
         for (unsigned c = 0; c < raster_channels(r); c++)
-            r->sum[i][c] = mixed(r, r->sum[i][c], c, part[i]);
+            r->sum[i][c] = mixed(r->sum[i][c], r->surface.top[c], r->fog_colour[c], part[i]);
 }
 
 /* A linear channel's value, with column and row from its origin. */
