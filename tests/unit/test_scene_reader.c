@@ -50,6 +50,9 @@ static void structure_errors_name_the_place(void **state)
            " unknown member \"colour\"; known are: materials textures bumps meshes objects lights camera "
            "ambient background fog duration");
     refuse("{" CAM "\"objects\": {}}", " objects: must be an array");
+    refuse("{" CAM "\"bumps\": {\"b\": {}}}",
+           " bumps.b: must be an object with one of \"relief\", \"heights\" and \"normals\"");
+    refuse("{" CAM "\"materials\": {\"m\": {\"bump\": \"b\"}}}", " materials.m.bump: no bump map named \"b\"");
     refuse("{" CAM "\"objects\": [{\"mesh\": \"foo\"}]}", " objects[0].mesh: no mesh named \"foo\"");
     refuse("{" CAM MESH "\"objects\": [{\"mesh\": \"m\"}, {\"mesh\": \"m\", \"material\": \"gold\"}]}",
            " objects[1].material: no material named \"gold\"");
