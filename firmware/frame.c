@@ -110,8 +110,10 @@ FX_COLD static void gather_piece(struct raster *r, const struct clipped_triangle
     struct shade_input *in = &r->input;
     for (int k = 0; k < 3; k++) {
         in->place[k] = piece->place[SHADE_TURN(k)];
-        for (int i = 0; i < 3; i++)
-            r->weight[k][i] = piece->weight[SHADE_TURN(k)][SHADE_TURN(i)];
+        const uint16_t *const weight = piece->weight[SHADE_TURN(k)];
+        r->weight[k][SHADE_TURN(0)] = weight[0];
+        r->weight[k][SHADE_TURN(1)] = weight[1];
+        r->weight[k][SHADE_TURN(2)] = (uint16_t)((1u << 15) - weight[0] - weight[1]);
     }
     in->weight = (const uint16_t(*)[3])r->weight;
 }
@@ -136,7 +138,7 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     struct raster *r = f->raster;
     struct shade_input *in = &r->input;
     const struct object_state *object = &f->objects[ref->object];
-    const struct clipped_triangle *piece = ref->kind & LIST_CLIPPED ? &f->clipped[ref->index] : 0;
+    const struct clipped_triangle *piece = USES(USES_CLIPPING) && ref->kind & LIST_CLIPPED ? &f->clipped[ref->index] : 0;
     const struct scene_triangle *triangle = scene_at(f->scene, object->mesh->triangles);
     triangle += piece ? piece->source : ref->index;
     in->object = object;
@@ -147,6 +149,7 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     if (USES(USES_BUMP))
         in->tangents = scene_at(f->scene, object->mesh->tangents);
     in->weight = 0;
+    in->piece = piece;
     /* Once a triangle and worth unrolling. */
     const uint32_t stride = f->vertex_stride;
     int16_t *records = list_record(f, object->first_vertex), *corner = records + triangle->corner[0] * stride;
@@ -166,10 +169,10 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
         gather_piece(r, piece);
 }
 
-static uint32_t bits(unsigned set)
+static inline uint32_t bits(unsigned set)
 {
-    uint32_t count = 0;
-    for (; set; set &= set - 1)
+    uint32_t count = set & 1; /* most sets are of one light */
+    for (set >>= 1; set; set &= set - 1)
         count++;
     return count;
 }

@@ -140,7 +140,8 @@ static uint32_t draw_normalised(struct raster *r, struct edges *e)
     return runs_draw(r, e, run_normalised);
 }
 
-/* A material without a map is drawn by the method that interpolates the same way. */
+/* A material without a map is drawn by the method that interpolates the same way: what is normalised, by Duff's where
+ * that is per-pixel Phong. */
 static const struct glint_method *choose_linear(struct raster *r)
 {
     return surface_bumps(&r->surface) ? &glint_bump_linear : &glint_x;
@@ -163,7 +164,9 @@ static const struct glint_method *choose_upright(struct raster *r)
 
 static const struct glint_method *choose_normalised(struct raster *r)
 {
-    return surface_bumps(&r->surface) ? &glint_bump_normalised : &glint_duff;
+    if (surface_bumps(&r->surface))
+        return &glint_bump_normalised;
+    return r->input.divides || object_local(r->input.object) ? &glint_phong_perspective : &glint_duff;
 }
 
 const struct glint_method glint_bump_linear = {.id = GLINT_BUMP_LINEAR,

@@ -140,8 +140,7 @@ static int is_straight(const struct shade_setup *setup, const struct shade_input
 {
     const struct surface *s = in->surface;
     return surface_fold(s) && surface_lights(s) == 1 && in->grey_table && !setup->plane.sliver &&
-           !(quadratic && setup->plane.slim) && setup->uv_kind == GLINT_TEXTURE_AFFINE &&
-           !(s->bump.flags & (TEXTURE_CLAMP_U | TEXTURE_CLAMP_V));
+           !(quadratic && setup->plane.slim) && setup->uv_kind == GLINT_TEXTURE_AFFINE && !s->bump.flags;
 }
 
 /* For that, L' times the material's diffuse light, and x and y of L' and H' times the map's steepness; Q15 factors. */
@@ -170,8 +169,8 @@ static void quadratic_vector(struct shade_setup *setup, const struct shade_input
             value[k] = corner[k][axis];
             bulge[k] = edge[k][axis];
         }
-        if (in->weight)
-            piece_quadratic(in->weight, value, bulge);
+        if (shade_weight(in))
+            piece_quadratic(shade_weight(in), value, bulge);
         dots_quadratic(setup, value, bulge, &out[axis]);
     }
 }
@@ -216,8 +215,8 @@ static void square_channel(struct shade_setup *setup, const struct shade_input *
     int32_t value[3] = {0, 0, 0};
     for (int k = 0; k < 3; k++)
         bulge[k] = -bulge[k];
-    if (in->weight)
-        piece_quadratic(in->weight, value, bulge);
+    if (shade_weight(in))
+        piece_quadratic(shade_weight(in), value, bulge);
     dots_quadratic(setup, value, bulge, out);
 }
 

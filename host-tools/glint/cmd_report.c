@@ -44,7 +44,7 @@ static const char report_help[] =
     "section\n"
     "      --choices FILE   choice,value,where,figure,number: of tests/choices; with it the page has their tables\n"
     "      --boards FILE    board,what,figure,unit,number: of `make bench-boards`; with it the page has their tables\n"
-    "      --methods A,B    some of `glint methods`; default all\n"
+    "      --methods A,B    some of `glint methods`; default those that the file of --flash has\n"
     "      --help\n";
 
 enum report_file { REPORT_PAGE, REPORT_TABLE, REPORT_SWEEP, REPORT_STREAM, REPORT_FILES };
@@ -53,6 +53,7 @@ struct report {
     const char *folder, *boards_path, *choices_path;
     const char **methods, **streams, **effects; /* the last two: scenes' paths */
     unsigned method_count, stream_count, effect_count;
+    bool chosen;        /* methods, by --methods */
     struct costs costs; /* its paths are the options' */
     char *path[REPORT_FILES];
     struct sink sink[REPORT_FILES];
@@ -75,6 +76,7 @@ static const char *report_method(const struct report *report, const char *text, 
 static bool report_choose(struct report *report, const char *names)
 {
     report->method_count = 0;
+    report->chosen = true;
     for (;;) {
         size_t length = strcspn(names, ",");
         const char *method = report_method(report, names, length);
@@ -154,6 +156,16 @@ static int report_parse(struct report *report, int argc, char **argv)
     if (!report->folder || !report->folder[0] || !report->costs.frames_path || !report->costs.flash_path)
         return cli_usage(report_name, "-o, --costs and --flash are needed");
     return -1;
+}
+
+/* Without --methods: those that the file of --flash has. */
+static void report_default(struct report *report)
+{
+    unsigned count = 0;
+    for (unsigned m = 0; !report->chosen && m < report->method_count; m++)
+        if (costs_find_flash(&report->costs, COSTS_M3, report->methods[m]))
+            report->methods[count++] = report->methods[m];
+    report->method_count = report->chosen ? report->method_count : count;
 }
 
 static bool report_wants(const struct report *report, enum report_file file)
@@ -241,6 +253,7 @@ static int report_run(struct report *report, const char *const paths[], unsigned
 {
     bool made = false;
     int code = costs_read(&report->costs);
+    report_default(report);
     if (!code)
         code = report_open(report, &made);
     if (!code)

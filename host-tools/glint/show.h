@@ -5,15 +5,15 @@
 #define SHOW_H
 
 #include "glint.h"
-#include "plan/plan.h"
 
 /* A method that plans as glint_auto does and paints that. */
 extern const struct glint_method show_plan;
 
-/* The legend, by enum plan_rung: as in glint_method_names, and how it is painted. */
+/* The legend, cheapest first: as in glint_method_names, and how it is painted. */
+enum { SHOW_WAYS = 10 };
 extern const struct show_way {
     enum glint_method_id id;
     uint8_t rgb[3];
-} show_ways[PLAN_RUNGS];
+} show_ways[SHOW_WAYS];
 
 #endif

@@ -47,11 +47,12 @@ void bump_pack(const struct model_texture *in, struct texture_packed *out, struc
     for (size_t i = 0; i < texels; i++)
         steepest = fmax(steepest, fmax(fabs(normal[i][0]), fabs(normal[i][1])));
     *out = (struct texture_packed){.texels = texel, .size = 2 * texels};
-    out->head = (struct scene_texture){
-        .log2_width = (uint8_t)log2[0],
-        .log2_height = (uint8_t)log2[1],
-        .format = TEXTURE_BUMP8,
-        .flags = (uint8_t)((in->clamp[0] ? TEXTURE_CLAMP_U : 0) | (in->clamp[1] ? TEXTURE_CLAMP_V : 0))};
+    out->head = (struct scene_texture){.log2_width = (uint8_t)log2[0],
+                                       .log2_height = (uint8_t)log2[1],
+                                       .format = TEXTURE_BUMP8,
+                                       .flags = (uint8_t)((in->bilinear ? TEXTURE_BILINEAR : 0) |
+                                                          (in->clamp[0] ? TEXTURE_CLAMP_U : 0) |
+                                                          (in->clamp[1] ? TEXTURE_CLAMP_V : 0))};
     out->head.steepness = (uint16_t)fmax(1, fmin(TEXTURE_UNIT, ceil(steepest * TEXTURE_UNIT * 128 / 127)));
     const double unit = (double)out->head.steepness / (TEXTURE_UNIT * 128);
     out->rises = model_alloc(TEXTURE_RISES * sizeof *out->rises);

@@ -8,15 +8,35 @@
 #include <math.h>
 #include <string.h>
 
+/* x and y of a texel, as it has them, times a weight. */
+static void bump_texel(const struct decode_texture *map, double column, double row, double weight, double xy[2])
+{
+    const uint32_t texel = texture_nearest(map, column, row);
+    xy[0] += weight * ((int)(texel >> 8 & 0xff) - 128);
+    xy[1] += weight * ((int)(texel & 0xff) - 128);
+}
+
 void bump_normal(const struct decode_texture *map, double u, double v, double normal[3])
 {
     const struct scene_texture *head = map->head;
-    const uint32_t texel = texture_nearest(map, ldexp(u, head->log2_width), ldexp(v, head->log2_height));
     const uint16_t *rises = scene_at(map->scene, head->palette);
-    const int x = (int)(texel >> 8 & 0xff) - 128, y = (int)(texel & 0xff) - 128;
-    normal[0] = ldexp(x * head->steepness, -21);
-    normal[1] = ldexp(y * head->steepness, -21);
-    normal[2] = ldexp(rises[(x * x + y * y) >> 7], -14);
+    double x = ldexp(u, head->log2_width) + map->nudge[0], y = ldexp(v, head->log2_height) + map->nudge[1],
+           xy[2] = {0, 0}, at;
+    if (head->flags & TEXTURE_BILINEAR) {
+        const double column = floor(x - .5), row = floor(y - .5), right = x - .5 - column, up = y - .5 - row;
+        bump_texel(map, column, row, (1 - right) * (1 - up), xy);
+        bump_texel(map, column + 1, row, right * (1 - up), xy);
+        bump_texel(map, column, row + 1, (1 - right) * up, xy);
+        bump_texel(map, column + 1, row + 1, right * up, xy);
+        at = fmax(0, (xy[0] * xy[0] + xy[1] * xy[1]) / 128 - .5); /* entries are for the middles of their steps */
+    } else {
+        bump_texel(map, x, y, 1, xy);
+        at = floor((xy[0] * xy[0] + xy[1] * xy[1]) / 128);
+    }
+    const uint16_t *rise = rises + (int)at;
+    normal[0] = ldexp(xy[0] * head->steepness, -21);
+    normal[1] = ldexp(xy[1] * head->steepness, -21);
+    normal[2] = ldexp(rise[0] + (rise[1] - rise[0]) * (at - floor(at)), -14);
 }
 
 /* Both directions of a light in the frame of a vertex. */

@@ -19,7 +19,7 @@ enum bump_kind {
     BUMP_UPRIGHT,   /* the same, T turned to a right angle with N (Gram and Schmidt) */
 };
 
-/* The map's normal at u, v, as packed: the nearest texel's. */
+/* The map's normal at u, v, as packed: the nearest texel's, or between the middles of four. */
 void bump_normal(const struct decode_texture *map, double u, double v, double normal[3]);
 
 /* Fills shading->turned, for a method of some kind. */

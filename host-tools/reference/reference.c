@@ -6,6 +6,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* The mesh under way. */
 struct reference_mesh {
@@ -28,6 +29,8 @@ static void reference_triangle(struct triangle_target *target, const struct scen
         target->highlight = target->highlight || (target->method->highlight && mesh->reached[triangle->corner[i]]);
     }
     decode_material(scene, triangle->material, &material);
+    memcpy(material.texture.nudge, target->nudge, sizeof target->nudge);
+    memcpy(material.bump.nudge, target->nudge, sizeof target->nudge);
     triangle_draw(target, &material, corner, bend);
 }
 
@@ -70,6 +73,7 @@ bool reference_render(const struct scene_header *scene, const struct reference_o
                                      .method = methods + options->method,
                                      .drawn = options->drawn,
                                      .placed = options->placed,
+                                     .nudge = {options->nudge[0], options->nudge[1]},
                                      .tolerance = (options->tolerance ? options->tolerance : 4) / 255,
                                      .part_area = options->part_area ? options->part_area : 32,
                                      .every_zigzag = options->every_zigzag};

@@ -63,6 +63,9 @@ struct reference_options {
      * all objects. Taken where it is the true place rounded either way, to within 1/64 of a step: a sliver whose corner
      * is all but half-way between two steps is another triangle after the other rounding. */
     const int16_t (*placed)[2];
+    /* Textures and bump maps without filter are sampled that much beside, in texels: where a coordinate is all but on a
+     * texel's border, its rounding says on which side. */
+    double nudge[2];
 };
 
 #define REFERENCE_NOTHING UINT32_MAX

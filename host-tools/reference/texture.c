@@ -37,7 +37,7 @@ void texture_sample(const struct decode_texture *texture, double u, double v, do
     double x = ldexp(u, head->log2_width), y = ldexp(v, head->log2_height);
     rgb[0] = rgb[1] = rgb[2] = 0;
     if (!(head->flags & TEXTURE_BILINEAR)) {
-        texture_texel(texture, floor(x), floor(y), 1, rgb);
+        texture_texel(texture, x + texture->nudge[0], y + texture->nudge[1], 1, rgb);
         return;
     }
     x -= .5;

@@ -203,7 +203,7 @@ static bool sweep_plans(FILE *out, const struct survey *survey)
 
 void sweep_legend(FILE *out)
 {
-    for (unsigned i = 0; i < PLAN_RUNGS; i++) {
+    for (unsigned i = 0; i < SHOW_WAYS; i++) {
         const uint8_t *rgb = show_ways[i].rgb;
         fprintf(out, " <span style=\"background:#%02x%02x%02x;padding:0 .6em\"></span>\u00a0%s", rgb[0], rgb[1], rgb[2],
                 glint_method_names[show_ways[i].id]);

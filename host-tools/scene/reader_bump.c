@@ -52,9 +52,9 @@ static void read_bump(const struct node *node, const char *name, struct model *m
         node_fail(node, "must be an object with one of \"relief\", \"heights\" and \"normals\"");
         return;
     }
-    node_object(node, relief.value    ? "relief size cells steepness"
-                      : heights.value ? "heights steepness wrap"
-                                      : "normals wrap");
+    node_object(node, relief.value    ? "relief size cells steepness filter"
+                      : heights.value ? "heights steepness filter wrap"
+                                      : "normals filter wrap");
     const double steepness = node_member_number(node, "steepness", 0, 20, RELIEF_STEEPNESS);
     struct model_texture *texture = relief.value
                                         ? model_add_texture(model, name)
@@ -62,7 +62,7 @@ static void read_bump(const struct node *node, const char *name, struct model *m
     if (!texture)
         return;
     texture->format = TEXTURE_BUMP8;
-    texture->bilinear = false;
+    texture->bilinear = node_member_choice(node, "filter", "nearest bilinear", 1) == 1;
     if (relief.value) {
         unsigned size[2] = {64, 64}, cells[2] = {4, 4};
         const int kind = node_member_choice(node, "relief", RELIEFS, -1);

@@ -121,8 +121,8 @@ run 'none is beyond the budget and roundings, nor is a bound beyond the budget' 
     awk -F, 'NR > 1 { bad += $6 > $2 + 1.5 || $3 > $2 } END { exit bad > 0 }' out/sweep.csv
 
 # the page
-equal 'the page shows the truth, three pictures, three differences, and three of an effect' "$(count out/index.html '<img ')" 10
-equal 'all of them inside it' "$(count out/index.html 'src="data:image/png;base64,')" 10
+equal 'the page shows the truth, three pictures, three differences, two plans, and four of an effect' "$(count out/index.html '<img ')" 13
+equal 'all of them inside it' "$(count out/index.html 'src="data:image/png;base64,')" 13
 equal 'and four plots, two of the angle and two of streams' "$(count out/index.html '<svg')" 8
 equal 'it runs and loads nothing' "$(grep -ciE '<script|<link|<iframe|@import|url\(.?http|src="[^d]' out/index.html)" 0
 matches 'it fits a phone' out/index.html '<meta name="viewport" content="width=device-width'
@@ -264,6 +264,9 @@ run 'without powers there is a report' 0 "$glint" report --costs costs.csv --fla
 equal 'without that section, nor choices, effects, streams and boards' \
     "$(count out/index.html 'id="power"\|#power\|choices\|effects\|What to choose\|#boards\|id="boards"\|stream')" 0
 equal 'nor a table of streams or budgets' "$(ls -A out | tr '\n' ' ')" 'index.html report.csv '
+begin
+run 'without names, methods are those whose flash is known' 0 "$glint" report --costs costs.csv --flash flash.csv -o out "$tiny"
+matches 'and no others' "$top/out" '1 scene by 3 methods$'
 begin
 run 'a stream of a scene that is not there is none' 3 "${report[@]}" --stream no.json "$tiny"
 matches 'and it is named' "$top/err" '^no\.json: '

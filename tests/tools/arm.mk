@@ -102,7 +102,8 @@ PLAIN_ELF := $(foreach c,$(PLAIN_CPUS),$(foreach p,plain plain-without plain-all
 
 $(foreach c,$(CPUS),$(eval $(call image_rule,$(c),golden,$(GOLDEN_C),$(MPS2_HAL),$(MPS2_LINK))))
 $(foreach c,$(CPUS),$(eval $(call image_rule,$(c),bench,$(BENCH_C),$(MPS2_HAL),$(MPS2_LINK))))
-# The report's, compiled for its scenes and format as a board's program is.
+# The report's, compiled for its scenes and format as a board's program is; and for everything, as forms of the power want.
+$(foreach c,$(REPORT_CPUS),$(eval $(call image_rule,$(c),report,$(REPORT_C),$(MPS2_HAL),$(MPS2_LINK))))
 define report_cpu
 USES_$(1)-report := $(BUILD)/$(1)-report/uses.h
 CPU_$(1)-report := $(CPU_$(1))

@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
 # flash.sh CPU...: flash of a program that draws the report's scenes by one method, mem* and libgcc included, from the
-# objects in $BUILD. A CSV line a CPU and method of firmware/methods.c.
+# objects in $BUILD. A CSV line a CPU and method of firmware/methods.c, of those that `glint pack --uses` found of use.
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -13,7 +13,9 @@ for cpu in "$@"; do
     case $cpu in m0plus) flags=-mcpu=cortex-m0plus ;; *) flags=-mcpu=cortex-$cpu ;; esac
     objects_of=$BUILD/$cpu-report
     mapfile -t objects < <(find "$objects_of/firmware" -name '*.o')
+    of_use=$(sed -n 's|^/\* methods:\(.*\) \*/$|\1 |p' "$objects_of/uses.h")
     while read -r name symbol; do
+        [[ -z $of_use || $of_use == *" $name "* ]] || continue
         echo "#include \"glint.h\"
             int entry(struct glint_frame *f, struct glint_config *c, const void *scene, struct glint_band *b);
             int entry(struct glint_frame *f, struct glint_config *c, const void *scene, struct glint_band *b)

@@ -106,9 +106,9 @@ bench-table: $(BUILD)/bench/device.csv $(BUILD)/bench/bench $(PLAIN_ELF)
 	@tests/tools/bench.sh $< $(BUILD)/bench/bench
 	@echo; $(call plain,table)
 
-# What the report's program counts: $(1) the columns, $(2) its argument, $(3) the file
+# What the report's program counts: $(1) the columns, $(2) its argument, $(3) the file, $(4) which build of it
 define report_rule
-$(REPORT_CPUS:%=$(BUILD)/report/%-$(2).csv): $(BUILD)/report/%-$(2).csv: $(BUILD)/%-report/report.elf
+$(REPORT_CPUS:%=$(BUILD)/report/%-$(2).csv): $(BUILD)/report/%-$(2).csv: $(BUILD)/%$(4)/report.elf
 	$$(call say,COUNT,'$$< $(2)')
 	@mkdir -p $$(@D)
 	$$(Q)$$(call QEMU,$$*) -icount shift=0 -append $(2) -kernel $$< >$$@.part || { grep '^error' $$@.part >&2; false; }
@@ -118,9 +118,9 @@ $(BUILD)/report/$(3).csv: $(REPORT_CPUS:%=$(BUILD)/report/%-$(2).csv)
 	$$(Q){ echo $(subst |,$(comma),$(1)); cat $$^; } >$$@
 endef
 comma := ,
-$(eval $(call report_rule,cpu|scene|method|width|height|format|instructions|picture,grey8,costs))
-$(eval $(call report_rule,cpu|scene|power|exponent|instructions,power,powers))
-$(eval $(call report_rule,cpu|scene|budget_q8|instructions,budget,budgets))
+$(eval $(call report_rule,cpu|scene|method|width|height|format|instructions|picture,grey8,costs,-report))
+$(eval $(call report_rule,cpu|scene|power|exponent|instructions,power,powers,))
+$(eval $(call report_rule,cpu|scene|budget_q8|instructions,budget,budgets,-report))
 
 $(BUILD)/report/flash.csv: $(REPORT_CPUS:%=$(BUILD)/%-report/report.elf) tests/tools/flash.sh
 	@mkdir -p $(@D)

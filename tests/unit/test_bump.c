@@ -50,7 +50,7 @@ static double psnr(const uint8_t *a, const uint8_t *b, size_t bytes, size_t cove
 static void quadratic_vectors_are_as_good_as_normalised_ones_and_linear_ones_are_not(void **state)
 {
     (void)state;
-    struct pack_result packed = load("bump-torus288");
+    struct pack_result packed = load("bump-nearest");
     for (unsigned tables = 0; tables < 2; tables++) { /* in runs, and straight into grey */
         struct glint_stats stats;
         uint8_t *truth = draw(packed.scene, &glint_bump_normalised, GLINT_GREY8, 0, tables, &stats);
@@ -75,16 +75,17 @@ static void quadratic_vectors_are_as_good_as_normalised_ones_and_linear_ones_are
     pack_free(&packed);
 }
 
-/* The number of the largest and of all differences above one step. */
-static void compare(const uint8_t *picture, const struct reference_image *truth, size_t bytes, int most, size_t above)
+/* At most `above` values are off by more than `most`, and none by more than `beyond`. */
+static void compare(const uint8_t *picture, const struct reference_image *truth, size_t bytes, double most,
+                    size_t above, double beyond)
 {
-    size_t beyond = 0;
+    size_t count = 0;
     for (size_t i = 0; i < bytes; i++) {
-        const int difference = abs(picture[i] - reference_byte(truth->value[i]));
-        assert_true(difference <= most);
-        beyond += difference > 1;
+        const double difference = fabs(picture[i] - 255 * truth->value[i]);
+        assert_true(difference <= beyond);
+        count += difference > most;
     }
-    assert_true(beyond <= above);
+    assert_true(count <= above);
 }
 
 static void every_way_is_its_twin_in_double_precision(void **state)
@@ -98,38 +99,48 @@ static void every_way_is_its_twin_in_double_precision(void **state)
                 {&glint_bump_upright, REFERENCE_BUMP_UPRIGHT},
                 {&glint_bump_normalised, REFERENCE_PHONG}};
     (void)state;
-    struct pack_result packed = load("bump-torus288");
-    for (size_t i = 0; i < sizeof ways / sizeof *ways; i++)
-        for (unsigned tables = 0; tables < 2; tables++) {
-            struct reference_options options = {.method = ways[i].twin, .grey = true};
-            struct reference_image image;
-            assert_true(reference_render(packed.scene, &options, &image));
-            uint8_t *picture = draw(packed.scene, ways[i].method, GLINT_GREY8, 0, tables, NULL);
-            /* a few pixels' centres lie so near a texel's border that they take its neighbour's normal */
-            compare(picture, &image, SIDE * SIDE, 12, 40);
-            free(picture);
-            reference_free(&image);
-        }
-    pack_free(&packed);
+    for (int nearest = 0; nearest < 2; nearest++) {
+        struct pack_result packed = load(nearest ? "bump-nearest" : "bump-torus288");
+        for (size_t i = 0; i < sizeof ways / sizeof *ways; i++)
+            for (unsigned tables = 0; tables < 2; tables++) {
+                struct reference_options options = {.method = ways[i].twin, .grey = true};
+                struct reference_image image;
+                assert_true(reference_render(packed.scene, &options, &image));
+                uint8_t *picture = draw(packed.scene, ways[i].method, GLINT_GREY8, 0, tables, NULL);
+                /* of the nearest texel, a few pixels so near to a border take the neighbour's */
+                compare(picture, &image, SIDE * SIDE, 1.5, nearest ? 40 : 0, nearest ? 12 : 1.5);
+                free(picture);
+                reference_free(&image);
+            }
+        pack_free(&packed);
+    }
 }
 
-static void texture_perspective_and_near_lights_go_with_bump_maps(void **state)
+static void auto_keeps_its_budget_with_texture_perspective_and_near_lights_too(void **state)
 {
+    static const unsigned budgets[] = {1, 2, 4, 8, 16, 32};
     (void)state;
-    struct pack_result packed = load("bump-brick");
-    struct reference_options options = {.method = REFERENCE_PHONG};
-    struct reference_image image;
-    struct glint_stats stats;
-    assert_true(reference_render(packed.scene, &options, &image));
-    uint8_t *picture = draw(packed.scene, &glint_bump_normalised, GLINT_RGB888, 0, 0, &stats);
-    size_t beyond = 0;
-    for (size_t i = 0; i < 3 * SIDE * SIDE; i++)
-        beyond += abs(picture[i] - reference_byte(image.value[i])) > 2;
-    assert_true(beyond < 300); /* texels' borders */
-    assert_true(stats.drawn[GLINT_BUMP_NORMALISED] > 0 && stats.drawn[GLINT_DUFF] > 0);
-    free(picture);
-    reference_free(&image);
-    pack_free(&packed);
+    for (int brick = 0; brick < 2; brick++) {
+        struct pack_result packed = load(brick ? "bump-brick" : "bump-torus288");
+        struct reference_options options = {.method = REFERENCE_PHONG};
+        struct reference_image image;
+        uint32_t ways = 0;
+        assert_true(reference_render(packed.scene, &options, &image));
+        for (size_t i = 0; i < sizeof budgets / sizeof *budgets; i++) {
+            struct frame_case f = frame_case_small(SIDE, SIDE, GLINT_RGB888);
+            struct glint_stats stats;
+            f.config.method = &glint_auto;
+            f.config.budget = (uint16_t)(budgets[i] << 8);
+            uint8_t *picture = frame_case_picture(f, packed.scene, 0, &stats);
+            compare(picture, &image, 3 * SIDE * SIDE, 255, 0, budgets[i] + 1.5);
+            for (int id = GLINT_BUMP_LINEAR; id <= GLINT_BUMP_NORMALISED; id++)
+                ways |= (uint32_t)(stats.drawn[id] > 0) << (id - GLINT_BUMP_LINEAR);
+            free(picture);
+        }
+        assert_int_equal(ways, brick ? 7 : 6); /* each has its turn; the torus never bears linear ones */
+        reference_free(&image);
+        pack_free(&packed);
+    }
 }
 
 static void a_picture_does_not_depend_on_its_bands(void **state)
@@ -137,8 +148,9 @@ static void a_picture_does_not_depend_on_its_bands(void **state)
     static const struct glint_method *const methods[] = {&glint_bump_linear, &glint_bump_quadratic,
                                                          &glint_bump_normalised};
     (void)state;
-    for (int scene = 0; scene < 2; scene++) {
-        struct pack_result packed = load(scene ? "bump-brick" : "bump-torus288");
+    static const char *const names[] = {"bump-torus288", "bump-nearest", "bump-brick"};
+    for (int scene = 0; scene < 3; scene++) {
+        struct pack_result packed = load(names[scene]);
         for (size_t i = 0; i < 3; i++)
             for (unsigned tables = 0; tables < 2; tables++) {
                 uint8_t *whole = draw(packed.scene, methods[i], GLINT_GREY8, 0, tables, NULL);
@@ -236,7 +248,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(quadratic_vectors_are_as_good_as_normalised_ones_and_linear_ones_are_not),
         cmocka_unit_test(every_way_is_its_twin_in_double_precision),
-        cmocka_unit_test(texture_perspective_and_near_lights_go_with_bump_maps),
+        cmocka_unit_test(auto_keeps_its_budget_with_texture_perspective_and_near_lights_too),
         cmocka_unit_test(a_picture_does_not_depend_on_its_bands),
         cmocka_unit_test(middles_that_are_averages_keep_the_length_of_vectors_on_the_torus),
         cmocka_unit_test(a_middle_by_its_bulges_is_the_unit_average),
