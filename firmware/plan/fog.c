@@ -196,8 +196,8 @@ uint32_t fog_run_error(const struct fog *fog, const int32_t depth[3], uint32_t s
     least = depth[2] < least ? depth[2] : least;
     most = depth[2] > most ? depth[2] : most;
     const int32_t most_u = argument(fog, (uint32_t)least << 16), least_u = argument(fog, (uint32_t)most << 16);
-    const uint32_t at = (uint32_t)(least < fog->solid ? fog->solid : least) << 16;
-    if (step_q16 > UINT32_MAX - at)
+    const uint32_t at = (uint32_t)(least < fog->solid ? fog->solid : least) << 16, top = (uint32_t)DEPTH_NEAR << 16;
+    if (step_q16 > top - at)
         return ONE;
     const int32_t near = argument(fog, at + step_q16), far = argument(fog, at);
     if (far - near >= ONE)

@@ -145,7 +145,7 @@ static inline struct scene_header *scene_case_blob(const struct scene_case *c)
         if (c->uvs && i == 0)
             scene_case_take(blob, &mesh[i].uvs, from->vertex_count, sizeof *c->uvs, c->uvs);
     }
-    blob->effects = scene_effects(blob);
+    blob->effects = scene_effects(blob) | USES_CLIPPING;
     blob->crc = scene_crc32(0, (const uint8_t *)blob + 16, blob->length - 16);
     assert_int_equal(scene_check(blob, blob->length), SCENE_OK);
     return blob;
