@@ -46,7 +46,7 @@ static inline uint32_t parts_slack_above(const struct plan_surface *s, uint32_t 
 /* (i) The gap between the corners' chord and max(0, .): ab / (a + b) <= min(a, b, (a + b) / 4). */
 static inline int32_t parts_lit_gap(const struct curve_values *v)
 {
-    if (v->low >= 0)
+    if (v->low >= 0 || v->high <= 0)
         return 0;
     int32_t gap = (v->high - v->low + 3) >> 2;
     gap = v->high < gap ? v->high : gap;
