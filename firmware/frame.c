@@ -138,7 +138,8 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     struct raster *r = f->raster;
     struct shade_input *in = &r->input;
     const struct object_state *object = &f->objects[ref->object];
-    const struct clipped_triangle *piece = USES(USES_CLIPPING) && ref->kind & LIST_CLIPPED ? &f->clipped[ref->index] : 0;
+    const struct clipped_triangle *piece =
+        USES(USES_CLIPPING) && ref->kind & LIST_CLIPPED ? &f->clipped[ref->index] : 0;
     const struct scene_triangle *triangle = scene_at(f->scene, object->mesh->triangles);
     triangle += piece ? piece->source : ref->index;
     in->object = object;

@@ -46,8 +46,9 @@ static void structure_errors_name_the_place(void **state)
     (void)state;
     refuse("[]", " must be an object");
     refuse("{}", " camera: missing");
-    refuse("{\"colour\": 1}", " unknown member \"colour\"; known are: materials textures bumps meshes objects lights camera "
-                              "ambient background fog duration");
+    refuse("{\"colour\": 1}",
+           " unknown member \"colour\"; known are: materials textures bumps meshes objects lights camera "
+           "ambient background fog duration");
     refuse("{" CAM "\"objects\": {}}", " objects: must be an array");
     refuse("{" CAM "\"objects\": [{\"mesh\": \"foo\"}]}", " objects[0].mesh: no mesh named \"foo\"");
     refuse("{" CAM MESH "\"objects\": [{\"mesh\": \"m\"}, {\"mesh\": \"m\", \"material\": \"gold\"}]}",
