@@ -46,7 +46,7 @@ static inline uint32_t parts_slack_above(const struct plan_surface *s, uint32_t 
 /* (i) The gap between the corners' chord and max(0, .): ab / (a + b) <= min(a, b, (a + b) / 4). */
 static inline int32_t parts_lit_gap(const struct curve_values *v)
 {
-    if (v->low >= 0)
+    if (v->low >= 0 || v->high <= 0)
         return 0;
     int32_t gap = (v->high - v->low + 3) >> 2;
     gap = v->high < gap ? v->high : gap;
@@ -55,15 +55,15 @@ static inline int32_t parts_lit_gap(const struct curve_values *v)
 
 /* (i) The most that the highlight's chord is above it between low and high, 0 where N.H is below 0: by its middle and
  * its third quarter. That is for gaps that lie to the right of the middle, as all do whose second derivative rises: n
- * >= 2. n = 1 is as N.L. */
+ * >= 2. n = 1 is as N.L. 3 is for roundings, the table's among them. */
 static inline uint32_t parts_shine_gap(const struct plan_surface *s, uint32_t specular, const struct curve_values *v)
 {
     if (s->power->exponent == 1)
         return parts_scaled(specular, parts_lit_gap(v));
     const int32_t sum = v->low + v->high, upper = sum + 2 * v->high;
     const uint32_t a = parts_shine(s, specular, v->low > 0 ? v->low : 0), b = parts_shine(s, specular, v->high);
-    const uint32_t half = (a + b) / 2 + 1 - (sum > 0 ? parts_shine(s, specular, sum >> 1) : 0),
-                   quarter = (a + 3 * b) / 4 + 1 - (upper > 0 ? parts_shine(s, specular, upper >> 2) : 0);
+    const uint32_t half = (a + b) / 2 + 3 - (sum > 0 ? parts_shine(s, specular, sum >> 1) : 0),
+                   quarter = (a + 3 * b) / 4 + 3 - (upper > 0 ? parts_shine(s, specular, upper >> 2) : 0);
     const uint32_t crossing = ((8 * half + 4 * quarter) * 7282 >> 16) + 1, /* a ninth */
         beyond = 2 * quarter > half ? 2 * quarter - half : 0;
     return crossing > beyond ? crossing : beyond;

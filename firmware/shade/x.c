@@ -36,7 +36,7 @@ static inline __attribute__((always_inline)) int interpolate(struct shade_setup 
         if (shade_weight(in))
             piece_quadratic(shade_weight(in), value, bulge);
     }
-    if (!highlight && steps_apply(setup, in->surface))
+    if (!highlight && light == 0 && steps_apply(setup, in->surface))
         steps_take(setup, in->surface, range, bend, value, linear ? 0 : bulge);
     if (linear) {
         plane_linear(&setup->plane, value, channel);

@@ -86,29 +86,57 @@ static int has_bumps(const struct scene_header *scene)
     return has;
 }
 
-static int holds(const char *path, const struct scene_header *scene, size_t output, unsigned views)
+/* One output of a scene: a renderer by auto, one by its fallback. */
+struct output {
+    struct budget_picture picture, fallback;
+    struct scene_result result;
+};
+
+static void open_output(struct output *o, const struct scene_header *scene, size_t output)
 {
     const struct scene_camera *camera = &scene->camera;
-    struct scene_result result = {0};
-    struct measure m;
-    measure_open(&m, scene, camera->reference_width, camera->reference_height, outputs[output].format);
-    struct budget_picture picture = {.config = {.width = camera->reference_width,
-                                                .height = camera->reference_height,
-                                                .format = outputs[output].format,
-                                                .tables = outputs[output].tables,
-                                                .method = &glint_auto}},
-                          fallback = picture;
+    *o = (struct output){.picture.config = {.width = camera->reference_width,
+                                            .height = camera->reference_height,
+                                            .format = outputs[output].format,
+                                            .tables = outputs[output].tables,
+                                            .method = &glint_auto}};
+    o->fallback.config = o->picture.config;
     if (!has_bumps(scene))
-        fallback.config.method = &glint_phong_perspective;
-    budget_open(&picture, scene);
-    budget_open(&fallback, scene);
+        o->fallback.config.method = &glint_phong_perspective;
+    budget_open(&o->picture, scene);
+    budget_open(&o->fallback, scene);
+}
+
+/* All wanted outputs that are grey, or coloured: they have one truth. */
+static int holds(const char *path, const struct scene_header *scene, unsigned wanted, int grey, unsigned views)
+{
+    static struct output output[OUTPUTS];
+    struct measure m;
+    int bad = 0;
+    for (size_t o = 0; o < OUTPUTS; o++) {
+        if ((outputs[o].format == GLINT_GREY8) != grey)
+            wanted &= ~(1u << o);
+        if (wanted >> o & 1)
+            open_output(&output[o], scene, o);
+    }
+    if (!wanted)
+        return 0;
+    measure_open(&m, scene, scene->camera.reference_width, scene->camera.reference_height,
+                 grey ? GLINT_GREY8 : GLINT_RGB888);
     for (unsigned v = 0; v < views; v++) {
         measure_view(&m, view_of(v));
-        measure_budgets(&m, &picture, &fallback, &result);
+        for (size_t o = 0; o < OUTPUTS; o++)
+            if (wanted >> o & 1) {
+                m.format = outputs[o].format;
+                measure_budgets(&m, &output[o].picture, &output[o].fallback, &output[o].result);
+            }
     }
-    const int bad = report(path, outputs[output].name, &m, &result, views);
-    budget_close(&picture);
-    budget_close(&fallback);
+    for (size_t o = 0; o < OUTPUTS; o++)
+        if (wanted >> o & 1) {
+            bad |= report(path, outputs[o].name, &m, &output[o].result, views);
+            budget_close(&output[o].picture);
+            budget_close(&output[o].fallback);
+        }
     measure_close(&m);
     return bad;
 }
@@ -136,9 +164,8 @@ int main(int argc, char **argv)
         int code = pack_load(argv[i], NULL, &packed);
         if (code)
             return code;
-        for (size_t output = 0; output < OUTPUTS; output++)
-            if (!wanted || wanted >> output & 1)
-                bad |= holds(argv[i], packed.scene, output, views);
+        for (int grey = 0; grey < 2; grey++)
+            bad |= holds(argv[i], packed.scene, wanted ? wanted : (1u << OUTPUTS) - 1, grey, views);
         pack_free(&packed);
     }
     return bad;

@@ -316,8 +316,8 @@ static void a_zero_counts_as_both_signs(void **state)
 {
     (void)state;
     object = (struct object_state){0};
-    object.light[0].source = (struct object_point){{9000, 0, 12000}, 0};
-    object.eye = (struct object_point){{-9000, 0, 12000}, 0};
+    object.light[0].source = (struct object_point){{9000, 0, 12000}, 0, 0};
+    object.eye = (struct object_point){{-9000, 0, 12000}, 0, 0};
     for (int k = 0; k < 3; k++)
         corner[k] = (struct highlighted_point){{0, 0, 0}, {0, 0, 16384}};
     struct highlighted_signs s = highlighted_signs(&object, 1, &corner[0]);
@@ -335,8 +335,8 @@ static void a_light_at_a_corner_counts_as_both_signs(void **state)
 {
     (void)state;
     object = (struct object_state){0};
-    object.eye = (struct object_point){{0, 0, 16384}, 0};
-    object.light[0].source = (struct object_point){{500, -700, 900}, 1};
+    object.eye = (struct object_point){{0, 0, 16384}, 0, 0};
+    object.light[0].source = (struct object_point){{500, -700, 900}, 1, 0};
     corner[0] = (struct highlighted_point){{500, -700, 900}, {0, 0, 16384}};
     struct highlighted_signs s = highlighted_signs(&object, 1, &corner[0]);
     assert_int_equal(s.below1 & s.above1 & s.below2 & s.above2, 1);
