@@ -110,8 +110,10 @@ FX_COLD static void gather_piece(struct raster *r, const struct clipped_triangle
     struct shade_input *in = &r->input;
     for (int k = 0; k < 3; k++) {
         in->place[k] = piece->place[SHADE_TURN(k)];
-        for (int i = 0; i < 3; i++)
-            r->weight[k][i] = piece->weight[SHADE_TURN(k)][SHADE_TURN(i)];
+        const uint16_t *const weight = piece->weight[SHADE_TURN(k)];
+        r->weight[k][SHADE_TURN(0)] = weight[0];
+        r->weight[k][SHADE_TURN(1)] = weight[1];
+        r->weight[k][SHADE_TURN(2)] = (uint16_t)((1u << 15) - weight[0] - weight[1]);
     }
     in->weight = (const uint16_t(*)[3])r->weight;
 }
@@ -147,6 +149,7 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     if (USES(USES_BUMP))
         in->tangents = scene_at(f->scene, object->mesh->tangents);
     in->weight = 0;
+    in->piece = piece;
     /* Once a triangle and worth unrolling. */
     const uint32_t stride = f->vertex_stride;
     int16_t *records = list_record(f, object->first_vertex), *corner = records + triangle->corner[0] * stride;

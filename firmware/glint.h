@@ -155,7 +155,8 @@ struct glint_config {
     uint16_t max_clipped; /* triangles made by clipping, at any one time a few: 64 suits most scenes */
     uint8_t max_objects;
     uint8_t max_lights; /* 0..8; a scene with more is not drawn (GLINT_E_SCENE) */
-    uint8_t tables;     /* 16 KiB colour tables, one a material under one light: RGB565's fast path. 0: none */
+    uint8_t tables; /* one a material under one light, for fast paths: of colours in RGB565 (16 KiB each), of highlights
+                       in GREY8 (2 KiB) and RGB888 (8 KiB); table.c says what they cost in accuracy. 0: none */
 
     uint16_t budget; /* of auto: how far a pixel may be off, Q8 in 1/255 of full intensity; 0: 2.0. Integer roundings
                         add at most 1.5/255 (and half a step in formats of fewer bits) */

@@ -90,8 +90,14 @@ FX_COLD static void store_piece(struct glint_frame *f, const struct clip_polygon
             q30_t w = polygon->corner[corners[c]].weight[i];
             uint16_t rounded = (uint16_t)(w < 0 ? 0 : (w + (1 << 14)) >> 15);
             piece->place[c][i] = place[corners[c]][i];
-            piece->weight[c][i] = i == 2 || rounded > rest ? rest : rounded;
-            rest = (uint16_t)(rest - piece->weight[c][i]);
+            rounded = rounded > rest ? rest : rounded;
+            rest = (uint16_t)(rest - rounded);
+            if (i < 2) {
+                const q30_t left =
+                    (w - ((q30_t)rounded << 15)) >> 7; /* |w - rounded| <= 2^14 and what exceeds 0 to 1 */
+                piece->weight[c][i] = rounded;
+                piece->finer[c][i] = (int8_t)(left < -128 ? -128 : left > 127 ? 127 : left);
+            }
         }
     }
     const int16_t *const p[3] = {piece->place[0], piece->place[1], piece->place[2]};

@@ -54,7 +54,8 @@ static int32_t q16_of(struct scaled a)
 static uint32_t closeness_of(const struct fog *fog, uint32_t depth_q16)
 {
     const uint32_t far = (uint32_t)DEPTH_FAR << 16, least = 1u << 14, back = fog->divides ? 1u << 16 : 1u << 15;
-    return depth_q16 + back > far + least ? depth_q16 + back - far : least; /* DEPTH_NEAR < 2^16 - 1 */
+    return depth_q16 + back > far + least ? depth_q16 + back - far
+                                          : least; /* depths are at most DEPTH_NEAR and a rounding */
 }
 
 /* u in Q16, -2^30..2^31. */
@@ -90,7 +91,7 @@ static uint32_t q14_of(uint32_t part_q16)
 /* The least depth whose part in Q14 is at most `part`: it falls as depth rises. */
 FX_COLD static uint16_t first_depth(const struct fog *fog, uint32_t part)
 {
-    uint32_t low = 0, high = 65536;
+    uint32_t low = 0, high = DEPTH_NEAR + 1;
     while (low < high) {
         const uint32_t middle = (low + high) / 2;
         if (q14_of(fog_part(fog, middle << 16)) > part)
@@ -98,7 +99,7 @@ FX_COLD static uint16_t first_depth(const struct fog *fog, uint32_t part)
         else
             high = middle;
     }
-    return (uint16_t)(low > 65535 ? 65535 : low);
+    return (uint16_t)low;
 }
 
 /* The greatest |dF/dc|, by which a depth counts that is off by 1 (orthographic: 1/2). In perspective du/dc = -A / c^2 =

@@ -46,7 +46,10 @@ static const struct glint_method *const rungs[PLAN_RUNGS] = {
 
 static void plan_surface(struct raster *r)
 {
+    const uint16_t fold = r->surface.fold;
+    r->surface.fold = r->fold; /* whatever the fog of the triangle that comes first: the plan is all triangles' */
     surface_plan(&r->surface, &r->palette, r->budget);
+    r->surface.fold = fold;
     r->plan_budget = r->surface.plan.budget;
     r->plan_table = r->surface_table;
     r->table_off = table_error(r);

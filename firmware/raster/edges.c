@@ -94,7 +94,8 @@ FX_WRAPS static inline void rows(struct edges *e, struct span *out, int32_t stop
     uint32_t x1 = (uint32_t)right.column, rest1 = (uint32_t)(right.rest - right.den);
     struct span *end = out + (stop - e->row);
 #if defined(__ARM_ARCH_7M__) || defined(__ARM_ARCH_7EM__)
-    /* As below; what is left over carries into the column when it passes 0. 11 or 12 instructions a row, compiled 17. */
+    /* As below; what is left over carries into the column when it passes 0. 11 or 12 instructions a row, compiled 17.
+     */
     __asm__ volatile("1: strh %[x0], [%[out]], #2\n\t"
                      "strh %[x1], [%[out]], #2\n\t"
                      "adds %[rest0], %[rest0], %[more0]\n\t"

@@ -30,7 +30,7 @@ unsigned fogged_plan(struct raster *r)
     int32_t depth[3];
     find_depths(in, depth);
     /* What goes straight into the band is not what runs make of it to the last bit: without the plan it stays that. */
-    fog_choose(&r->fog, depth, r->fog_allowed, in->no_plan && !r->surface_table && !r->fold, plan);
+    fog_choose(&r->fog, depth, r->fog_allowed, in->no_plan && !r->surface_table && !r->fold && !r->fog_planned, plan);
     if (plan->kind == FOGGED_WHOLLY) {
         r->effects = 0;
         in->plan = (struct shade_plan){0};

@@ -21,8 +21,10 @@ static inline unsigned fogged_choose(struct raster *r)
     const uint16_t clear = r->fog.clear;
     r->effects = r->surface_effects;
     if (!in->no_plan && (uint16_t)in->place[0][VERTEX_DEPTH] >= clear &&
-        (uint16_t)in->place[1][VERTEX_DEPTH] >= clear && (uint16_t)in->place[2][VERTEX_DEPTH] >= clear)
+        (uint16_t)in->place[1][VERTEX_DEPTH] >= clear && (uint16_t)in->place[2][VERTEX_DEPTH] >= clear) {
+        r->surface.fold = r->effects ? 0 : r->fold;
         return r->fog_plan.kind = FOGGED_NOT;
+    }
     return fogged_plan(r);
 }
 

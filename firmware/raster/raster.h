@@ -1,8 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * From a set-up triangle to pixels of a band. Two ways lead there: loops made for one case (RGB565 from a colour table,
- * and Gouraud and flat in 565), and the general one, which works on runs of up to RUN pixels: depth test to a mask,
- * shading into sums, conversion to the output's format.
+ * From a set-up triangle to pixels of a band. Three ways lead there:
+ *   spans.h    loops that go straight into the band, one for each format and kind of pixel: under one light N.L and
+ * N.H, linear or quadratic, or over the length of the normal, and finished colours effects.h  runs of RUN pixels
+ * through stages of effects, for surfaces that have some runs.h     the general one, runs again: depth test to a mask,
+ * shading into sums, conversion to the output's format
+ *
+ * A new kind of pixel is a bit of enum spans_kind, what it makes of the channels in spans_grey(), spans_rgb565() or
+ * spans_rgb888(), and a SPANS_CASE in the format's file beside the condition that it is drawn by; whatever else it
+ * steps goes into struct spans_values. The constant kind leaves each case what it uses.
  */
 #ifndef GLINT_RASTER_H
 #define GLINT_RASTER_H

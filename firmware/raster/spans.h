@@ -91,8 +91,8 @@ static inline __attribute__((always_inline)) uint32_t spans_normal(const struct 
     return sum < 255 ? sum : 255;
 }
 
-static inline __attribute__((always_inline)) uint32_t spans_grey(const struct spans_values *v,
-                                                                 const struct spans_look *look, unsigned kind)
+FX_WRAPS static inline __attribute__((always_inline)) uint32_t spans_grey(const struct spans_values *v,
+                                                                          const struct spans_look *look, unsigned kind)
 {
     if (kind & SPANS_COLOUR)
         return v->l >> 24;
@@ -183,7 +183,7 @@ struct spans_place {
     uintptr_t base, to_other, pixels;
 };
 
-static inline struct spans_place spans_find(const struct raster *r, unsigned kind)
+FX_WRAPS static inline struct spans_place spans_find(const struct raster *r, unsigned kind)
 {
     const uintptr_t pixels = (uintptr_t)r->pixels, depth = (uintptr_t)r->depth;
     if (kind & SPANS_GREY8)

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The stages of a run that a texture adds: coordinates, their clamp, texels to factors, and the product. Each is a loop
- * made for its case. A factor is texel / 255 in Q12, 0..4096.
+ * The stages of a run that a texture adds: coordinates, their clamp, and the product with texels. Each is a loop
+ * made for its case.
  */
 #include "raster/texture.h"
 
-#include "scene/texel.h"
 #include "shade/uv.h"
 
 #define ONE_TURN (1 << 28)
@@ -57,51 +56,67 @@ static struct lookup lookup_of(const struct surface_texture *texture)
                            t->log2_width};
 }
 
-/* 0x00RRGGBB of a texel. Templates from here on: `palette` and `grey` are constant. */
-static inline __attribute__((always_inline)) uint32_t texel(const struct lookup *at, uint32_t index, int palette)
+/* What a texel multiplies a channel's sum by, Q12: from its fields in units of 2^-16 of 255 (palette), 31 or 63 (565),
+ * rounded. 2^16 and 2^13 of them are left for the product: below 2^29. Sums are below 25 * 255 * 2^15, see write.c:
+ * 2^-8 of them times 2^12 stay below 2^32. */
+static inline uint32_t factor_of(uint32_t field, uint32_t top)
 {
-    if (palette)
-        return at->palette[((const uint8_t *)at->texels)[index]];
-    return texel_expand(((const uint16_t *)at->texels)[index]);
+    const uint32_t down = top == 255 ? 8 : top == 63 ? 6 : 5; /* to 2^16 at most */
+    const uint32_t whole = top << (16 - down);
+    return ((field >> down) * (((1u << 28) + whole / 2) / whole) + (1u << 15)) >> 16;
 }
 
-/* Three channels of 255 * 2^8 at most to factors; in grey, their weighted sum to one. Below 2^16 * 257. */
-static inline __attribute__((always_inline)) void put(struct raster *r, int i, uint32_t red, uint32_t green,
-                                                      uint32_t blue, int grey)
+/* Templates from here on: `palette` and `grey` are constant. Multiplies a pixel's sums by fields of 2^16 times a
+ * texel's.
+ */
+static inline __attribute__((always_inline)) void multiply(uint32_t *sum, const uint16_t weight[3], uint32_t red,
+                                                           uint32_t green, uint32_t blue, int palette, int grey)
 {
+    red = factor_of(red, palette ? 255 : 31);
+    green = factor_of(green, palette ? 255 : 63);
+    blue = factor_of(blue, palette ? 255 : 31);
     if (grey) {
-        const uint16_t *w = r->surface.texture.grey;
-        const uint32_t sum = (red * w[0] + green * w[1] + blue * w[2]) >> 8;
-        r->value[3][i] = (int32_t)((sum * 257 + (1u << 11)) >> 12);
+        sum[0] = (sum[0] >> 8) * ((red * weight[0] + green * weight[1] + blue * weight[2] + 128) >> 8) >> 4;
         return;
     }
-    r->value[3][i] = (int32_t)((red * 257 + (1u << 11)) >> 12);
-    r->value[4][i] = (int32_t)((green * 257 + (1u << 11)) >> 12);
-    r->value[5][i] = (int32_t)((blue * 257 + (1u << 11)) >> 12);
+    sum[0] = (sum[0] >> 8) * red >> 4;
+    sum[1] = (sum[1] >> 8) * green >> 4;
+    sum[2] = (sum[2] >> 8) * blue >> 4;
+}
+
+/* A texel's red and blue, in either half of a word, and its green. */
+struct fields {
+    uint32_t red_blue, green;
+};
+
+static inline __attribute__((always_inline)) struct fields texel(const struct lookup *at, uint32_t index, int palette)
+{
+    if (palette) {
+        const uint32_t rgb = at->palette[((const uint8_t *)at->texels)[index]];
+        return (struct fields){rgb & 0x00ff00ff, rgb >> 8}; /* the highest byte of an entry is 0 */
+    }
+    const uint32_t t = ((const uint16_t *)at->texels)[index];
+    return (struct fields){(t & 0xf800) << 5 | (t & 0x1f), t >> 5 & 0x3f};
 }
 
 static inline __attribute__((always_inline)) void nearest(struct raster *r, int n, int palette, int grey)
 {
     const struct lookup at = lookup_of(&r->surface.texture);
-    for (int i = 0; i < n; i++) {
+    uint32_t *sum = r->sum[0];
+    for (int i = 0; i < n; i++, sum += 3) {
         const uint32_t u = (uint32_t)r->uv[0][i] >> at.down_u & at.mask_u;
         const uint32_t v = (uint32_t)r->uv[1][i] >> at.down_v & at.mask_v;
-        const uint32_t rgb = texel(&at, v << at.row | u, palette);
-        put(r, i, rgb >> 8 & 0xff00, rgb & 0xff00, rgb << 8 & 0xff00, grey);
+        const struct fields f = texel(&at, v << at.row | u, palette);
+        multiply(sum, r->surface.texture.grey, f.red_blue & 0xffff0000, (palette ? f.green & 0xff : f.green) << 16,
+                 f.red_blue << 16, palette, grey);
     }
 }
 
-/* a + (b - a) f / 256 of two fields in a word, times 256: 255 * 2^8 at most in each, so that no carry is left between
- * them, whatever lies there on the way modulo 2^32. */
+/* 256 a + (b - a) f of fields in a word, at most 255 * 2^8 in each: no carry is left between them, whatever lies there
+ * on the way modulo 2^32. */
 FX_WRAPS static inline uint32_t blend(uint32_t a, uint32_t b, uint32_t f)
 {
     return (a << 8) + (b - a) * f;
-}
-
-/* Between rows: fields of 255 * 2^8 at most, times 2^8 and back. */
-FX_WRAPS static inline uint32_t blend_wide(uint32_t a, uint32_t b, uint32_t f)
-{
-    return ((a << 8) + (b - a) * f) >> 8;
 }
 
 /* A position in 1/256 texels from the middle of texel 0, rounded. */
@@ -113,18 +128,19 @@ FX_WRAPS static inline uint32_t from_middle(int32_t uv, unsigned down)
 FX_WRAPS static inline __attribute__((always_inline)) void bilinear(struct raster *r, int n, int palette, int grey)
 {
     const struct lookup at = lookup_of(&r->surface.texture);
-    const uint32_t both = 0x00ff00ff;
-    for (int i = 0; i < n; i++) {
+    const uint32_t byte = palette ? 0xff : 0x3f;
+    uint32_t *sum = r->sum[0];
+    for (int i = 0; i < n; i++, sum += 3) {
         const uint32_t u = from_middle(r->uv[0][i], at.down_u), v = from_middle(r->uv[1][i], at.down_v);
         const uint32_t u0 = u >> 8 & at.mask_u, u1 = ((u >> 8) + 1) & at.mask_u, fu = u & 0xff, fv = v & 0xff;
         const uint32_t v0 = (v >> 8 & at.mask_v) << at.row, v1 = (((v >> 8) + 1) & at.mask_v) << at.row;
-        const uint32_t a = texel(&at, v0 | u0, palette), b = texel(&at, v0 | u1, palette);
-        const uint32_t c = texel(&at, v1 | u0, palette), d = texel(&at, v1 | u1, palette);
-        const uint32_t low = blend(a & both, b & both, fu), high = blend(c & both, d & both, fu);
-        const uint32_t low_green = blend(a >> 8 & 0xff, b >> 8 & 0xff, fu),
-                       high_green = blend(c >> 8 & 0xff, d >> 8 & 0xff, fu);
-        put(r, i, blend_wide(low >> 16, high >> 16, fv), blend_wide(low_green, high_green, fv),
-            blend_wide(low & 0xffff, high & 0xffff, fv), grey);
+        const struct fields a = texel(&at, v0 | u0, palette), b = texel(&at, v0 | u1, palette);
+        const struct fields c = texel(&at, v1 | u0, palette), d = texel(&at, v1 | u1, palette);
+        const uint32_t low = blend(a.red_blue, b.red_blue, fu), high = blend(c.red_blue, d.red_blue, fu);
+        const uint32_t low_green = blend(a.green & byte, b.green & byte, fu),
+                       high_green = blend(c.green & byte, d.green & byte, fu);
+        multiply(sum, r->surface.texture.grey, blend(low >> 16, high >> 16, fv), blend(low_green, high_green, fv),
+                 blend(low & 0xffff, high & 0xffff, fv), palette, grey);
     }
 }
 
@@ -143,7 +159,7 @@ CASE(bilinear_565_grey, bilinear, 0, 1)
 CASE(bilinear_palette, bilinear, 1, 0)
 CASE(bilinear_palette_grey, bilinear, 1, 1)
 
-static void find_factors(struct raster *r, int n, int grey)
+static void multiply_run(struct raster *r, int n, int grey)
 {
     const struct scene_texture *t = r->surface.texture.head;
     const int palette = t->format == TEXTURE_PALETTE8;
@@ -160,30 +176,17 @@ static void find_factors(struct raster *r, int n, int grey)
     }
 }
 
-/* Sums are below 25 * 255 * 2^15, see write.c: 2^-8 of them times 2^12 below 2^32. */
-static inline __attribute__((always_inline)) void multiply(struct raster *r, int n, unsigned channels, int apart)
-{
-    uint32_t *sum = r->sum[0];
-    const uint32_t *gloss = r->apart[0];
-    for (int i = 0; i < n; i++, sum += 3, gloss += 3)
-        for (unsigned c = 0; c < channels; c++) {
-            const uint32_t lit = (sum[c] >> 8) * (uint32_t)r->value[3 + c][i] >> 4;
-            sum[c] = apart ? lit + gloss[c] : lit;
-        }
-}
-
 void texture_stage(struct raster *r, int n)
 {
     const struct scene_texture *t = r->surface.texture.head;
-    const int apart = USES(USES_SPECULAR) && r->gloss != r->sum[0];
     const unsigned channels = surface_channels(&r->surface);
     if (t->flags & TEXTURE_CLAMP_U)
         clamp(t, r->uv[0], n, t->log2_width);
     if (t->flags & TEXTURE_CLAMP_V)
         clamp(t, r->uv[1], n, t->log2_height);
-    find_factors(r, n, channels == 1);
-    if (channels == 1)
-        apart ? multiply(r, n, 1, 1) : multiply(r, n, 1, 0);
-    else
-        apart ? multiply(r, n, 3, 1) : multiply(r, n, 3, 0);
+    multiply_run(r, n, channels == 1);
+    if (USES(USES_SPECULAR) && r->gloss != r->sum[0])
+        for (int i = 0; i < n; i++)
+            for (unsigned c = 0; c < channels; c++)
+                r->sum[i][c] += r->apart[i][c];
 }

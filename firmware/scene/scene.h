@@ -96,8 +96,8 @@ enum scene_texture_format {
 #define TEXTURE_CLAMP_V  4u
 
 /*
- * 2^log2_width columns from u = 0 to 1 in 2^log2_height rows from v = 0 to 1, the row at v = 0 first. A field of 5 or 6
- * bits stands for that of 8 with its first bits repeated; intensity is that / 255.
+ * 2^log2_width columns from u = 0 to 1 in 2^log2_height rows from v = 0 to 1, the row at v = 0 first. A field of 565
+ * stands for its value / 31 or 63 of full intensity, one of a palette for / 255.
  */
 struct scene_texture {
     uint32_t texels;                 /* offset */

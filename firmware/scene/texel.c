@@ -42,7 +42,8 @@ uint16_t texel_contrast(const struct scene_header *scene, const struct scene_tex
             d = difference(here, texel_at(scene, texture, above * width + u));
             most = d > most ? d : most;
         }
-    return (uint16_t)(most << 8);
+    /* fields of 565 have been rounded by up to .5 each */
+    return (uint16_t)(most && texture->format == TEXTURE_RGB565 && most < 255 ? (most + 1) << 8 : most << 8);
 }
 
 uint16_t texel_rise(uint16_t steepness, uint32_t i)

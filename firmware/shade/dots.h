@@ -65,8 +65,8 @@ static inline uint32_t dots_highlight_slack(const struct surface *s, unsigned li
     return surface_diffuse(change, s->light[light].specular_most) >> 7;
 }
 
-/* N.H, or it over the length of a normal of .8 at least, has its place in the power's table beyond [-2, 2), for loops whose clamps are by sign (raster/spans.h); 256 for the
- * roundings. */
+/* N.H, or it over the length of a normal of .8 at least, has its place in the power's table beyond [-2, 2), for loops
+ * whose clamps are by sign (raster/spans.h); 256 for the roundings. */
 static inline int dots_wide(const struct fx_power *power, struct bounds range, int32_t bend)
 {
     const int32_t floor = bounds_power_floor(power), most = (32768 - 256) >> power->octave;

@@ -101,9 +101,13 @@ void piece_place_perspective(struct shade_setup *setup, const struct shade_input
         int32_t numerator[3];
         for (int k = 0; k < 3; k++) {
             int32_t value = place[k][axis] * (1 << 15);
-            if (in->weight)
+            if (in->weight) { /* |finer| <= 2^7, of the source's first two corners; 2 * 2^16 * 2^7 */
+                const int8_t *const finer = in->piece->finer[SHADE_TURN(k)];
+                const int32_t last = place[SHADE_TURN(2)][axis];
                 value = place[0][axis] * in->weight[k][0] + place[1][axis] * in->weight[k][1] +
-                        place[2][axis] * in->weight[k][2];
+                        place[2][axis] * in->weight[k][2] +
+                        (((place[0][axis] - last) * finer[0] + (place[SHADE_TURN(1)][axis] - last) * finer[1]) >> 8);
+            }
             numerator[k] = (int32_t)((int64_t)value * perspective->s[k] >> 16);
         }
         plane_linear_wide(&setup->plane, numerator, &setup->channel[3 + axis]);

@@ -12,7 +12,8 @@ struct clipped_triangle {
     uint16_t source; /* the mesh's triangle */
     uint16_t reserved;
     int16_t place[3][3];   /* x, y, depth as in a vertex record */
-    uint16_t weight[3][3]; /* of each corner: barycentric in the source triangle, Q15, sums to 32768 */
+    uint16_t weight[3][2]; /* of each corner: barycentric in the source triangle, Q15, the third what is left to 1 */
+    int8_t finer[3][2];    /* what they were rounded by, Q23 */
 };
 
 /* A finished colour, and the material's number where it is kept behind a vertex record's lights. */
@@ -39,6 +40,7 @@ struct shade_input {
     int16_t *lights[3];                    /* N.L and N.H, Q14, of the source triangle's corners, in the same turn */
     const struct scene_triangle *triangle; /* the source; its edges stand in `bend` as 2, 1, 0 */
     const struct scene_vertex *vertices;   /* of its mesh */
+    const struct clipped_triangle *piece;  /* null: the corners are the source's */
     const uint16_t (*weight)[3];           /* null: the corners are the source's */
     const int16_t (*uvs)[2];               /* of its mesh, Q12; null: none */
     const struct scene_tangent *tangents;  /* likewise; for bump maps */

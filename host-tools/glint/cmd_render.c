@@ -24,7 +24,7 @@ static const char render_help[] =
     "      --stream FILE      instead of -o: as a device sends it to glint-view (firmware/stream/PROTOCOL.md); - for\n"
     "                         standard output\n"
     "      --key N            of a stream: a picture in N refers to none before it, 1..1000000, default 60\n"
-    "      --method M         one of `glint methods`, default x\n"
+    "      --method M         one of `glint methods`, default auto\n"
     "      --show plan        auto: each triangle in the colour of what was chosen for it\n"
     "      --budget N         auto: how far a pixel may be off, .01 to 255 in 1/255, default 2\n"
     "      --subdivide MODE   with --method subdivide: centre (default), regular, highlight, recursive, hybrid, "
@@ -47,7 +47,7 @@ static const char render_help[] =
     "      --format F         rgb565, rgb888 (default), grey8 or grey4\n"
     "      --dither           ordered dither for rgb565 and grey4\n"
     "      --band-rows N      rows drawn at a time, 1..2048; the default is all. The picture is the same\n"
-    "      --tables N         colour tables of 16 KiB for rgb565, 0..255, default 0\n"
+    "      --tables N         tables of colours or highlights, one a material, 0..255, default 0\n"
     "      --no-plan          compute also what cannot be seen. The picture is the same\n"
     "      --every-zigzag     biquadratic: bends every edge that passes the paper's test, also where the triangles at "
     "it\n"
@@ -397,7 +397,7 @@ static int render_frames(struct render *render)
 int cmd_render(int argc, char **argv)
 {
     struct render render = {
-        .rate = 30, .method = "x", .renderer.config.format = GLINT_RGB888, .streamer.key_every = 60};
+        .rate = 30, .method = "auto", .renderer.config.format = GLINT_RGB888, .streamer.key_every = 60};
     struct pack_result packed = {0};
     argv[0] = (char *)render_name;
     int code = render_parse(&render, argc, argv);

@@ -20,7 +20,8 @@ void bump_normal(const struct decode_texture *map, double u, double v, double no
 {
     const struct scene_texture *head = map->head;
     const uint16_t *rises = scene_at(map->scene, head->palette);
-    double x = ldexp(u, head->log2_width), y = ldexp(v, head->log2_height), xy[2] = {0, 0}, at;
+    double x = ldexp(u, head->log2_width) + map->nudge[0], y = ldexp(v, head->log2_height) + map->nudge[1],
+           xy[2] = {0, 0}, at;
     if (head->flags & TEXTURE_BILINEAR) {
         const double column = floor(x - .5), row = floor(y - .5), right = x - .5 - column, up = y - .5 - row;
         bump_texel(map, column, row, (1 - right) * (1 - up), xy);

@@ -24,6 +24,7 @@ struct decode_vertex {
 struct decode_texture {
     const struct scene_header *scene;
     const struct scene_texture *head; /* null: none */
+    double nudge[2];                  /* of what is sampled without filter, in texels */
 };
 
 struct decode_material {

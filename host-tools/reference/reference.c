@@ -6,6 +6,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* The mesh under way. */
 struct reference_mesh {
@@ -20,7 +21,7 @@ static void reference_triangle(struct triangle_target *target, const struct scen
     struct decode_material material;
     double bend[3];
     target->highlight = false;
-    target->edges = triangle->flags;
+    target->edges = target->every_zigzag ? 7 : triangle->flags;
     for (unsigned i = 0; i < 3; i++) {
         corner[i] = mesh->vertex[triangle->corner[i]];
         target->corner_placed[i] = target->placed ? target->placed[triangle->corner[i]] : NULL;
@@ -28,6 +29,8 @@ static void reference_triangle(struct triangle_target *target, const struct scen
         target->highlight = target->highlight || (target->method->highlight && mesh->reached[triangle->corner[i]]);
     }
     decode_material(scene, triangle->material, &material);
+    memcpy(material.texture.nudge, target->nudge, sizeof target->nudge);
+    memcpy(material.bump.nudge, target->nudge, sizeof target->nudge);
     triangle_draw(target, &material, corner, bend);
 }
 
@@ -70,8 +73,10 @@ bool reference_render(const struct scene_header *scene, const struct reference_o
                                      .method = methods + options->method,
                                      .drawn = options->drawn,
                                      .placed = options->placed,
+                                     .nudge = {options->nudge[0], options->nudge[1]},
                                      .tolerance = (options->tolerance ? options->tolerance : 4) / 255,
-                                     .part_area = options->part_area ? options->part_area : 32};
+                                     .part_area = options->part_area ? options->part_area : 32,
+                                     .every_zigzag = options->every_zigzag};
     size_t pixels = (size_t)image->width * image->height;
     struct reference_mesh *mesh = malloc(sizeof *mesh);
     image->value = malloc(pixels * image->channels * sizeof *image->value);

@@ -53,6 +53,7 @@ struct reference_options {
     double tolerance;    /* of subdivide-centre, in 1/255; 0: 4 */
     double part_area;    /* of subdivide-recursive and -regular, in pixels; 0: 32 */
     bool grey;           /* shade one channel: Rec. 601 luma of the material's colours under each light */
+    bool every_zigzag;   /* of biquadratic: bend every edge that passes the test by itself */
     uint16_t yaw, pitch; /* every object turned as glint_turn() says, in 1/65536 turns */
     /* Null, or [height][width]: which triangle the integer renderer drew at each pixel, counted through all objects;
      * REFERENCE_NOTHING: none. Then the picture is of these, at these pixels, so that what is compared is shading
@@ -62,6 +63,9 @@ struct reference_options {
      * all objects. Taken where it is the true place rounded either way, to within 1/64 of a step: a sliver whose corner
      * is all but half-way between two steps is another triangle after the other rounding. */
     const int16_t (*placed)[2];
+    /* Textures and bump maps without filter are sampled that much beside, in texels: where a coordinate is all but on a
+     * texel's border, its rounding says on which side. */
+    double nudge[2];
 };
 
 #define REFERENCE_NOTHING UINT32_MAX

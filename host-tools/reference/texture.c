@@ -24,8 +24,11 @@ uint32_t texture_nearest(const struct decode_texture *texture, double column, do
 static void texture_texel(const struct decode_texture *texture, double column, double row, double weight, double rgb[3])
 {
     const uint32_t texel = texture_nearest(texture, column, row);
-    for (int c = 0; c < 3; c++)
-        rgb[c] += weight * (texel >> (16 - 8 * c) & 0xff) / 255;
+    const bool fields = texture->head->format == TEXTURE_RGB565; /* the first 5 or 6 bits, not rounded to 8 */
+    for (int c = 0; c < 3; c++) {
+        const unsigned lost = !fields ? 0 : c == 1 ? 2 : 3, value = texel >> (16 - 8 * c) & 0xff;
+        rgb[c] += weight * (value >> lost) / (255 >> lost);
+    }
 }
 
 void texture_sample(const struct decode_texture *texture, double u, double v, double rgb[3])
@@ -34,7 +37,7 @@ void texture_sample(const struct decode_texture *texture, double u, double v, do
     double x = ldexp(u, head->log2_width), y = ldexp(v, head->log2_height);
     rgb[0] = rgb[1] = rgb[2] = 0;
     if (!(head->flags & TEXTURE_BILINEAR)) {
-        texture_texel(texture, floor(x), floor(y), 1, rgb);
+        texture_texel(texture, x + texture->nudge[0], y + texture->nudge[1], 1, rgb);
         return;
     }
     x -= .5;

@@ -12,8 +12,10 @@ struct triangle_target {
     const struct method *method;
     double tolerance, part_area;     /* as in struct shading */
     bool highlight;                  /* can reach the next triangle */
+    bool every_zigzag;               /* whatever the mesh says of its edges */
     unsigned edges;                  /* of the next triangle, that may be quadratic, a bit each */
     const uint32_t *drawn;           /* as in struct reference_options */
+    double nudge[2];                 /* as in struct reference_options */
     uint32_t triangle;               /* the next one's number */
     const int16_t (*placed)[2];      /* the same, of the object in hand */
     const int16_t *corner_placed[3]; /* and of the triangle's corners */

@@ -10,7 +10,7 @@
 
 #define VIEWS 60
 
-static const double budgets[] = {0, .5, 1, 2, 4, 8, 16, 32}; /* 0: the fallback, by its own name */
+static const double budgets[] = {.5, .5, 1, 2, 4, 8, 16, 32}; /* the first: phong-perspective, the fallback, itself */
 #define BUDGETS (sizeof budgets / sizeof *budgets)
 
 static const struct {
@@ -41,8 +41,7 @@ static void measure_budgets(struct measure *m, struct budget_picture *p, struct 
 {
     for (size_t b = 0; b < BUDGETS; b++) {
         struct budget_picture *by = b == 0 ? fallback : p;
-        if (b > 0)
-            glint_set_budget(&p->frame, (uint16_t)(budgets[b] * 256));
+        glint_set_budget(&by->frame, (uint16_t)(budgets[b] * 256));
         budget_draw(by, m->scene, m->view);
         const struct measure_worst worst = measure_picture(m, by->pixels);
         if (worst.error > result->worst[b].error) {
@@ -79,6 +78,14 @@ static int report(const char *path, const char *output, const struct measure *m,
     return bad;
 }
 
+static int has_bumps(const struct scene_header *scene)
+{
+    int has = 0;
+    for (unsigned m = 0; m < scene->material_count; m++)
+        has |= scene_materials(scene)[m].bump != SCENE_NO_TEXTURE;
+    return has;
+}
+
 static int holds(const char *path, const struct scene_header *scene, size_t output, unsigned views)
 {
     const struct scene_camera *camera = &scene->camera;
@@ -91,7 +98,8 @@ static int holds(const char *path, const struct scene_header *scene, size_t outp
                                                 .tables = outputs[output].tables,
                                                 .method = &glint_auto}},
                           fallback = picture;
-    fallback.config.method = &glint_phong_perspective;
+    if (!has_bumps(scene))
+        fallback.config.method = &glint_phong_perspective;
     budget_open(&picture, scene);
     budget_open(&fallback, scene);
     for (unsigned v = 0; v < views; v++) {

@@ -3,6 +3,7 @@
  * The largest difference of the integer renderer's pixels from the truth: per-pixel Phong in double precision,
  * perspective-correct, with the scene's effects. Each pixel is compared with the truth of the surface that was drawn
  * there (drawn.h), so that all that differs is shading; the truth is not rounded, so that half a step is the output's.
+ * Of textures without filter and of bump maps a pixel may have any texel that its coordinates are within 1/64 of.
  */
 #ifndef BUDGET_MEASURE_H
 #define BUDGET_MEASURE_H
@@ -11,6 +12,9 @@
 #include "picture.h"
 
 #include <math.h>
+
+#define MEASURE_TRUTHS 9
+#define MEASURE_NUDGE  (1 / 64.) /* of a texel */
 
 struct measure {
     const struct scene_header *scene;
@@ -21,8 +25,9 @@ struct measure {
     uint32_t *drawn;
     int16_t (*placed)[2];
     struct budget_view view;
-    struct reference_image truth; /* of the view in hand */
-    unsigned long missed;         /* pixels drawn where the truth has nothing of that triangle */
+    unsigned truths;
+    struct reference_image truth[MEASURE_TRUTHS]; /* of the view in hand; the first as it is, the others nudged */
+    unsigned long missed;                         /* pixels drawn where the truth has nothing of that triangle */
 };
 
 /* Where it is and what it is, in 1/255 of full intensity. */
@@ -32,12 +37,22 @@ struct measure_worst {
     uint32_t triangle;
 };
 
+/* Something is sampled without filter. */
+static inline int measure_has_texels(const struct scene_header *scene)
+{
+    int has = 0;
+    for (unsigned i = 0; i < scene->texture_count; i++)
+        has |= !(scene_textures(scene)[i].flags & TEXTURE_BILINEAR);
+    return has;
+}
+
 static inline void measure_open(struct measure *m, const struct scene_header *scene, unsigned width, unsigned height,
                                 uint8_t format)
 {
     const size_t pixels = (size_t)width * height;
     size_t vertices = 0;
     *m = (struct measure){.scene = scene, .width = width, .height = height, .format = format};
+    m->truths = measure_has_texels(scene) ? MEASURE_TRUTHS : 1;
     drawn_open(&m->from, scene);
     for (unsigned o = 0; o < scene->object_count; o++)
         vertices += scene_meshes(m->from.scene)[o].vertex_count;
@@ -50,7 +65,8 @@ static inline void measure_open(struct measure *m, const struct scene_header *sc
 
 static inline void measure_close(struct measure *m)
 {
-    reference_free(&m->truth);
+    for (unsigned t = 0; t < m->truths; t++)
+        reference_free(&m->truth[t]);
     budget_close(&m->visible);
     drawn_close(&m->from);
     free(m->drawn);
@@ -84,22 +100,26 @@ static inline void measure_view(struct measure *m, struct budget_view view)
     drawn_to = m->drawn;
     budget_draw(&m->visible, m->from.scene, view);
     measure_places(m);
-    const struct reference_options options = {.width = m->width,
-                                              .height = m->height,
-                                              .time_ms = view.time_ms,
-                                              .yaw = view.yaw,
-                                              .pitch = view.pitch,
-                                              .grey = m->format == GLINT_GREY8,
-                                              .drawn = m->drawn,
-                                              .placed = (const int16_t(*)[2])m->placed};
-    reference_free(&m->truth);
-    if (!reference_render(m->scene, &options, &m->truth)) {
-        perror("budget");
-        exit(3);
+    for (unsigned t = 0; t < m->truths; t++) {
+        const struct reference_options options = {
+            .width = m->width,
+            .height = m->height,
+            .time_ms = view.time_ms,
+            .yaw = view.yaw,
+            .pitch = view.pitch,
+            .grey = m->format == GLINT_GREY8,
+            .drawn = m->drawn,
+            .placed = (const int16_t(*)[2])m->placed,
+            .nudge = {MEASURE_NUDGE * ((t + 1) % 3 - 1.), MEASURE_NUDGE * ((t + 3) / 3 % 3 - 1.)}};
+        reference_free(&m->truth[t]);
+        if (!reference_render(m->scene, &options, &m->truth[t])) {
+            perror("budget");
+            exit(3);
+        }
     }
     m->view = view;
     for (size_t i = 0; i < pixels; i++)
-        m->missed += (m->drawn[i] != REFERENCE_NOTHING) != m->truth.covered[i];
+        m->missed += (m->drawn[i] != REFERENCE_NOTHING) != m->truth[0].covered[i];
 }
 
 /* A channel of a pixel, in steps, and how many steps full intensity has. */
@@ -125,15 +145,21 @@ static inline double measure_half_step(unsigned format, unsigned channel)
 static inline struct measure_worst measure_picture(const struct measure *m, const uint8_t *pixels)
 {
     struct measure_worst worst = {0};
-    const unsigned channels = m->truth.channels;
+    const unsigned channels = m->truth[0].channels;
     for (size_t i = 0; i < (size_t)m->width * m->height; i++)
-        for (unsigned c = 0; m->truth.covered[i] && c < channels; c++) {
+        for (unsigned c = 0; m->truth[0].covered[i] && c < channels; c++) {
             int full, level = measure_level(pixels, m->format, i, c, &full);
-            const double truth = 255 * m->truth.value[i * channels + c];
-            const double error = fabs(255. * level / full - truth) - measure_half_step(m->format, c);
+            double error = INFINITY;
+            for (unsigned t = 0; t < m->truths; t++)
+                error = fmin(error, fabs(255. * level / full - 255 * m->truth[t].value[i * channels + c]));
+            error -= measure_half_step(m->format, c);
             if (error > worst.error)
-                worst = (struct measure_worst){error, truth,      (unsigned)(i % m->width), (unsigned)(i / m->width),
-                                               c,     m->drawn[i]};
+                worst = (struct measure_worst){error,
+                                               255 * m->truth[0].value[i * channels + c],
+                                               (unsigned)(i % m->width),
+                                               (unsigned)(i / m->width),
+                                               c,
+                                               m->drawn[i]};
         }
     return worst;
 }

@@ -32,6 +32,8 @@ method color X flatt x-x
 power 5 fast
 subdivide nowhere
 tolerance 0 256 4.0
+budget 0 .001 255.1 -1 1e1 2x .
+show plans x
 area 0 65536 -1
 threshold 0 1 -.3 .3x . 1e-1 0x.8 .001
 size 0x1 1x0 2049x1 1x2049 10 10x 10x10x x10 -1x1 +5x5 99999999999x1
@@ -50,6 +52,8 @@ run 'a wrong size is refused' 2 "$glint" render "$torus" -o a.png --size 320
 matches 'saying which would do' "$top/err" "^glint render: '320' .* --size WxH: .*2048"
 run 'a wrong pixel format is refused' 2 "$glint" reference "$torus" -o a.png --format=rgb
 matches 'naming those there are' "$top/err" "^glint reference: 'rgb' .* --format F: rgb888 "
+run 'render shows the plan of auto alone' 2 "$glint" render "$torus" -o a.png --method x --show plan
+matches 'saying so' "$top/err" '^glint render: --show plan is of --method auto'
 run 'render needs something to do' 2 "$glint" render "$torus"
 run 'render takes one file' 2 "$glint" render "$torus" "$torus" -o a.png
 run 'render refuses an ending it does not know' 2 "$glint" render "$torus" -o a.jpg

@@ -92,8 +92,12 @@ fresh
 run 'stats are printed' 0 "$glint" render "$torus" --stats
 matches 'with the triangles' "$top/out" '^triangles +288 '
 run 'stats are printed as JSON' 0 "$glint" render "$torus" --stats=json --frames 2
-if python3 -c 'import json,sys; s=json.load(open(sys.argv[1])); assert s["triangles"]==576 and s["pixels"]["x"]>50000' "$top/out"
+if python3 -c 'import json,sys; s=json.load(open(sys.argv[1])); assert s["triangles"]==576 and sum(s["pixels"].values())>50000 and s["largest_error"]<=s["budget"]==2' "$top/out"
 then say ok 'that a parser takes'; else say FAIL 'that a parser takes' "$(cat "$top/out")"; fi
+run 'auto says what it left out' 0 "$glint" render "$torus" --stats --budget 4.5
+matches 'and how far a pixel may be off' "$top/out" '^budget +4.50 '
+run 'the plan is drawn' 0 "$glint" render "$torus" --show plan --format rgb888 -o plan.ppm
+run 'perspective is auto'"'"'s own' 0 "$glint" render "$torus" --perspective --hash
 
 run 'highlights are counted' 0 "$glint" render "$torus" --method subdivide --subdivide hybrid --stats
 matches 'by the triangles tested' "$top/out" '^highlight_tests +288 '

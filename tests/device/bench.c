@@ -10,7 +10,7 @@
  *   bench SCENE METHOD BANDS TABLES N [grey8|rgb888]
  *                                        one of them, N frames, nothing printed: for profilers, which look at the calls
  *                                        of bench_frame()
- * An argument budget=N sets auto's, in 1/255.
+ * An argument budget=N sets auto's, in 1/255; texture=N is of enum glint_texture.
  */
 #include "scene/scene.h"
 #include "tests/device/program.h"
@@ -33,6 +33,7 @@ static const uint16_t exponents[] = {5, 20, 50, 200};
 static const uint16_t budgets[] = {1 << 7, 1 << 8, 2 << 8, 4 << 8, 8 << 8, 16 << 8, 32 << 8};
 
 static uint16_t bench_budget; /* of auto, Q8 in 1/255; 0: its default */
+static uint8_t bench_texture; /* enum glint_texture */
 static uint32_t bench_memory[MEMORY / 4], bench_band[BAND / 4], bench_blob[BLOB / 4];
 
 int bench_frame(struct glint_frame *frame, const void *scene, uint32_t time_ms);
@@ -58,6 +59,7 @@ static int bench_init(struct glint_frame *frame, struct glint_config *config, co
     config->method = method->method;
     config->power = power;
     config->budget = bench_budget;
+    config->texture = bench_texture;
     config->tables = tables;
     config->band_rows = (uint16_t)((config->height + bands - 1) / bands);
     glint_fit_stores(config, scene);
@@ -247,17 +249,18 @@ static int bench_asked(const char *method, int argc, char **argv)
     return asked;
 }
 
-/* `budget=N`, in 1/255, among the arguments. */
-static void bench_find_budget(int argc, char **argv)
+/* The number of `NAME=N` among the arguments, 0 without it; `name` ends in =. */
+static uint32_t bench_find(const char *name, int argc, char **argv)
 {
-    static const char name[] = "budget=";
+    uint32_t number = 0;
     for (int i = 1; i < argc; i++) {
         unsigned k = 0;
         while (name[k] && argv[i][k] == name[k])
             k++;
         if (!name[k])
-            bench_budget = (uint16_t)(text_number(argv[i] + k) << 8);
+            number = text_number(argv[i] + k);
     }
+    return number;
 }
 
 static enum glint_format bench_format(const char *name)
@@ -281,7 +284,8 @@ static int bench_run(const struct program_scene *scene, const struct glint_choic
 int program_main(int argc, char **argv)
 {
     int bad = 0;
-    bench_find_budget(argc, argv);
+    bench_budget = (uint16_t)(bench_find("budget=", argc, argv) << 8);
+    bench_texture = (uint8_t)bench_find("texture=", argc, argv);
     if (argc >= 2 && (text_equal(argv[1], "grey8") || text_equal(argv[1], "rgb888"))) {
         const enum glint_format format = bench_format(argv[1]);
         for (unsigned s = 0; s < program_scene_count; s++)

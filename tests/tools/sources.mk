@@ -7,13 +7,13 @@ CORTEXM_HAL := $(addprefix hal/cortexm/,start.c fault.c stack.c mem.c divide.c)
 # Compiled for size on a board: what a picture, an object or a button calls a few times. The rest is for speed.
 COLD_SRC := $(wildcard firmware/app/*.c firmware/scene/*.c firmware/stream/*.c hal/lm3s/*.c hal/rp2040/*.c boards/*.c boards/*/*.c) \
 	$(addprefix hal/cortexm/,start.c fault.c stack.c uart.c) $(addprefix hal/panels/,bars.c panel.c wire.c) \
-	firmware/memory.c $(filter-out %/plan.c,$(wildcard firmware/plan/*.c)) $(addprefix firmware/fixed/,divide.c power.c) \
+	firmware/memory.c $(filter-out %/plan.c %/fog.c,$(wildcard firmware/plan/*.c)) $(addprefix firmware/fixed/,divide.c power.c) \
 	$(addprefix firmware/geometry/,clip.c light.c project.c rotation.c transform.c) \
 	$(addprefix firmware/shade/,bump.c color6.c dots.c normal_quadratic.c part.c perspective.c piece.c plane_wide.c uv.c) \
 	$(addprefix firmware/raster/,draw_highlight.c draw_subdivide.c draw_overveld_scan.c fine.c parts.c split.c table.c)
 # What is of effects alone: a program for scenes without them needs none of these.
-EFFECT_SRC := $(foreach e,texture texel uv split bump fog sided turn effects power,$(wildcard firmware/plan/*$(e)*.c firmware/shade/*$(e)*.c firmware/raster/*$(e)*.c)) \
-	firmware/scene/texel.c firmware/plan/highlighted.c firmware/plan/summit.c firmware/raster/draw_highlight.c
+EFFECT_SRC := $(foreach e,texture texel uv split bump fog turn effects power,$(wildcard firmware/plan/*$(e)*.c firmware/shade/*$(e)*.c firmware/raster/*$(e)*.c)) \
+	firmware/scene/texel.c firmware/fixed/exponential.c firmware/plan/highlighted.c firmware/plan/summit.c firmware/raster/draw_highlight.c
 SETUP_SRC := $(wildcard tests/setups/setup_*.c)
 # Of the program for Linux, what wants neither libgpiod nor a device.
 LINUX_PARTS := $(filter-out hal/linux/gpio_v% %/kernel.c %/main.c,$(wildcard hal/linux/*.c boards/linux/*.c))
@@ -27,7 +27,8 @@ ALL_SRC = $(shell find firmware hal host-tools boards tests -name '*.[ch]')
 # The scenes as C, each a symbol scene_<name>; and the lists that the golden and the bench programs walk.
 export SCENE_DIR ?= $(BUILD)/scenes
 GOLDEN_SCENES := mini clip back materials torus288 torus512 torus800 sphere168 sphere690 torus288-persp torus512-persp \
-	torus800-persp sphere168-persp sphere690-persp serpentine zigzag strip teapot896 bulb pawn bench-torus288 demo
+	torus800-persp sphere168-persp sphere690-persp serpentine zigzag strip teapot896 bulb pawn bench-torus288 demo \
+	fog-linear two-sided-bowl
 BENCH_SCENES := bench-torus288 bench-torus4000
 # What `make report` measures; the first is the page's summary and the README's.
 with_persp = $(foreach s,$(1),$(s) $(if $(wildcard tests/scenes/$(s)-persp.json),$(s)-persp))

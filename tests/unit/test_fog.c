@@ -2,6 +2,7 @@
 /* The fog's part of a pixel against its formula, and the bounds by which a triangle's corners stand for its pixels. */
 #include "plan/fog.h"
 #include "random.h"
+#include "raster/fogged.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -265,6 +266,31 @@ static void what_is_left_out_cannot_show(void **state)
     }
 }
 
+/* What auto's plan may err by, as far as it shows, and what the fog does: together the budget. */
+static void the_budget_is_divided_not_passed(void **state)
+{
+    static struct raster r;
+    unsigned more = 0;
+    (void)state;
+    random_seed(5);
+    for (int i = 0; i < 100000; i++) {
+        r.fog.kind = FOG_LINEAR;
+        r.fog_plan.kind = (uint8_t)random_between(FOGGED_EVENLY, FOGGED_BY_PIXEL);
+        r.fog_plan.shown = (uint32_t)random_between(0, 65536) >> random_between(0, 8);
+        r.fog_plan.error = (uint32_t)random_between(0, 500);
+        r.plan_budget = (uint16_t)random_between(0, 8192);
+        r.fog_allowed = r.plan_budget / 4;
+        const double own = fogged_budget(&r) * (r.fog_plan.shown / 65536.);
+        const double fog = r.fog_plan.error + (double)r.fog_allowed;
+        if (own > 0 && own + fog > r.plan_budget)
+            fail_msg("%.1f and %.1f of %d", own, fog, r.plan_budget);
+        more += fogged_budget(&r) > r.plan_budget;
+    }
+    assert_true(more > 10000);
+    r.fog_plan.kind = FOGGED_NOT;
+    assert_int_equal(fogged_budget(&r), r.plan_budget);
+}
+
 static void fog_behind_the_far_plane_is_none(void **state)
 {
     struct view_case v;
@@ -310,6 +336,7 @@ int main(void)
         cmocka_unit_test(a_plan_is_within_its_error),
         cmocka_unit_test(a_run_is_within_its_error),
         cmocka_unit_test(what_is_left_out_cannot_show),
+        cmocka_unit_test(the_budget_is_divided_not_passed),
         cmocka_unit_test(fog_behind_the_far_plane_is_none),
         cmocka_unit_test(extremes_are_drawn),
     };

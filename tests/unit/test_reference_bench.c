@@ -17,7 +17,7 @@ static void draw(const char *path, unsigned shininess, enum reference_method met
                  struct reference_image *image)
 {
     const struct pack_options pack = {.shininess = shininess};
-    const struct reference_options options = {.method = method, .grey = grey};
+    const struct reference_options options = {.method = method, .grey = grey, .every_zigzag = true};
     struct pack_result packed;
     assert_int_equal(pack_load(path, &pack, &packed), PACK_OK);
     assert_true(reference_render(packed.scene, &options, image));
