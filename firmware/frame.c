@@ -138,7 +138,7 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     struct raster *r = f->raster;
     struct shade_input *in = &r->input;
     const struct object_state *object = &f->objects[ref->object];
-    const struct clipped_triangle *piece = ref->kind & LIST_CLIPPED ? &f->clipped[ref->index] : 0;
+    const struct clipped_triangle *piece = USES(USES_CLIPPING) && ref->kind & LIST_CLIPPED ? &f->clipped[ref->index] : 0;
     const struct scene_triangle *triangle = scene_at(f->scene, object->mesh->triangles);
     triangle += piece ? piece->source : ref->index;
     in->object = object;
@@ -169,10 +169,10 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
         gather_piece(r, piece);
 }
 
-static uint32_t bits(unsigned set)
+static inline uint32_t bits(unsigned set)
 {
-    uint32_t count = 0;
-    for (; set; set &= set - 1)
+    uint32_t count = set & 1; /* most sets are of one light */
+    for (set >>= 1; set; set &= set - 1)
         count++;
     return count;
 }

@@ -198,6 +198,10 @@ static inline __attribute__((always_inline)) void list_each(struct glint_frame *
                                      records + triangle->corner[2] * stride};
         const int two_sided = sides && (materials[triangle->material].flags & MATERIAL_TWO_SIDED);
         if (!all_placed && unplaced(p)) {
+            if (!USES(USES_CLIPPING)) {
+                f->stats.dropped++; /* not in a scene that says truly what it needs */
+                continue;
+            }
             const struct candidate from = {scene_at(f->scene, mesh->vertices), triangle, index, i, two_sided};
             clip(f, transform, &from);
         } else {

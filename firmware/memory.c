@@ -157,7 +157,7 @@ void glint_fit_stores(struct glint_config *c, const void *scene)
         triangles += mesh->triangle_count;
     }
     /* A triangle that is cut makes up to seven pieces; few are at a time. */
-    c->max_clipped = at_most(triangles / 4 + 64, 1024);
+    c->max_clipped = s->effects & USES_CLIPPING ? at_most(triangles / 4 + 64, 1024) : 0;
     c->max_vertices = at_most(vertices, 65535);
     c->max_triangles = at_most(triangles + c->max_clipped, 65535);
     c->max_objects = (uint8_t)at_most(s->object_count, SCENE_MAX_OBJECTS);

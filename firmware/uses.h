@@ -24,7 +24,8 @@
 #define USES_SPIN           0x0200u /* an object or a light that spins */
 #define USES_KEYS           0x0400u /* one that moves by keys */
 #define USES_SEVERAL_LIGHTS 0x0800u
-#define USES_EFFECTS        0x0fffu /* all of these */
+#define USES_CLIPPING       0x1000u /* something can leave the camera's view, or be cut by its near or far plane */
+#define USES_EFFECTS        0x1fffu /* all of these */
 
 /* Formats of pictures: 1 << 16 + enum glint_format. */
 #define USES_FORMAT(format) (0x10000u << (format))

@@ -63,6 +63,8 @@ static inline __attribute__((always_inline)) void write_all(const struct raster 
         uint32_t colour = level(sum[0], HALF_STEP, raster_top(format, 0));
         if (format == GLINT_RGB565)
             colour = colour << 11 | level(sum[1], HALF_STEP, 63) << 5 | level(sum[2], HALF_STEP, 31);
+        if (format == GLINT_RGB888)
+            colour = colour << 16 | level(sum[1], HALF_STEP, 255) << 8 | level(sum[2], HALF_STEP, 255);
         put(row, x, colour, format);
     }
 }
@@ -70,10 +72,12 @@ static inline __attribute__((always_inline)) void write_all(const struct raster 
 void raster_write(struct raster *r, int x, int y, uint32_t mask)
 {
     uint8_t *row = r->pixels + (uint32_t)(y - r->y0) * r->stride;
-    if (raster_dithers(r) || raster_is(r, GLINT_RGB888) || (mask & (mask + 1)) != 0)
+    if (raster_dithers(r) || (mask & (mask + 1)) != 0)
         write_some(r, row, x, y, mask);
     else if (raster_is(r, GLINT_RGB565))
         write_all(r, row, x, mask, GLINT_RGB565);
+    else if (raster_is(r, GLINT_RGB888))
+        write_all(r, row, x, mask, GLINT_RGB888);
     else if (raster_is(r, GLINT_GREY8))
         write_all(r, row, x, mask, GLINT_GREY8);
     else

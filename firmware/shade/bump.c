@@ -169,8 +169,8 @@ static void quadratic_vector(struct shade_setup *setup, const struct shade_input
             value[k] = corner[k][axis];
             bulge[k] = edge[k][axis];
         }
-        if (in->weight)
-            piece_quadratic(in->weight, value, bulge);
+        if (shade_weight(in))
+            piece_quadratic(shade_weight(in), value, bulge);
         dots_quadratic(setup, value, bulge, &out[axis]);
     }
 }
@@ -215,8 +215,8 @@ static void square_channel(struct shade_setup *setup, const struct shade_input *
     int32_t value[3] = {0, 0, 0};
     for (int k = 0; k < 3; k++)
         bulge[k] = -bulge[k];
-    if (in->weight)
-        piece_quadratic(in->weight, value, bulge);
+    if (shade_weight(in))
+        piece_quadratic(shade_weight(in), value, bulge);
     dots_quadratic(setup, value, bulge, out);
 }
 

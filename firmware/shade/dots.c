@@ -77,8 +77,8 @@ static void interpolate(struct shade_setup *setup, const struct shade_input *in,
                         const struct glint_power *form, struct bounds range, int32_t bend, int in_steps)
 {
     struct channel *channel = &setup->channel[index];
-    if (in->weight)
-        piece_quadratic(in->weight, value, bulge);
+    if (shade_weight(in))
+        piece_quadratic(shade_weight(in), value, bulge);
     if (in_steps)
         steps_take(setup, in->surface, range, bend, value, bulge);
     if (form) {

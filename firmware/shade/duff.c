@@ -21,8 +21,8 @@ void duff_square(struct shade_setup *setup, const struct shade_input *in)
         value[k] = Q14(1, 1);
         bulge[k] = (int32_t)((uint32_t)dots_bend(in, k) << 14); /* 4 bend in Q28: below 2^30 */
     }
-    if (in->weight)
-        piece_quadratic(in->weight, value, bulge);
+    if (shade_weight(in))
+        piece_quadratic(shade_weight(in), value, bulge);
     if (!setup->length) {
         plane_quadratic_large(&setup->plane, value, bulge, &setup->channel[SHADE_SQUARE]);
         return;

@@ -17,7 +17,7 @@ void part_weights(const struct shade_input *in, const struct part_corner *corner
     uint32_t rest = PART_ONE;
     for (int i = 0; i < 3; i++) {
         uint32_t w = at[i];
-        if (in->weight) { /* products of weights that sum to 2^15: at most 2^30 */
+        if (shade_weight(in)) { /* products of weights that sum to 2^15: at most 2^30 */
             w = at[0] * in->weight[0][i] + at[1] * in->weight[1][i] + at[2] * in->weight[2][i];
             w = i == 2 ? rest : w >> 15;
         }
@@ -63,7 +63,7 @@ void part_whole(const struct shade_input *in, int k, struct part_corner *corner)
 {
     corner->weight[0] = k == 0 ? PART_ONE : 0;
     corner->weight[1] = k == 1 ? PART_ONE : 0;
-    if (in->weight) {
+    if (shade_weight(in)) {
         part_shade(in, corner);
         return;
     }

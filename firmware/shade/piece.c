@@ -49,8 +49,8 @@ static void component(const struct shade_input *in, const int16_t *const corner[
 {
     for (int k = 0; k < 3; k++)
         value[k] = corner[k][axis];
-    if (in->weight)
-        piece_linear(in->weight, value);
+    if (shade_weight(in))
+        piece_linear(shade_weight(in), value);
 }
 
 void piece_vectors(struct shade_setup *setup, const struct shade_input *in, const int16_t *const corner[3],

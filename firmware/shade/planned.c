@@ -39,8 +39,8 @@ static inline __attribute__((always_inline)) void interpolate(struct shade_setup
         bulge[2] = -((value[2] + value[0]) * factors[2]) >> 1;
         bend = dots_bulge_bend(bulge);
     }
-    if (in->weight)
-        piece_quadratic(in->weight, value, bulge);
+    if (shade_weight(in))
+        piece_quadratic(shade_weight(in), value, bulge);
     if (index & 1) {
         setup->runs_only |= (uint8_t)dots_deep(s->power, range, bend);
         if (USES(USES_FORMATS & ~USES_GREY4))

@@ -58,6 +58,12 @@ struct shade_input {
     uint8_t sampled; /* mid-edges may need a look of their own: something is near, or the power has another form */
 };
 
+/* The corners' weights in the source; null: they are its own. */
+static inline const uint16_t (*shade_weight(const struct shade_input *in))[3]
+{
+    return USES(USES_CLIPPING) ? in->weight : 0;
+}
+
 /* Which of the source's corners is the input's corner k. */
 #define SHADE_TURN(k) ((k) ? 3 - (k) : 0)
 

@@ -10,8 +10,8 @@ void uv_corners(struct uv_corners *uv, const struct shade_input *in)
         int32_t *value = uv->value[axis];
         for (int k = 0; k < 3; k++)
             value[k] = in->uvs[in->triangle->corner[SHADE_TURN(k)]][axis];
-        if (in->weight)
-            piece_linear(in->weight, value);
+        if (shade_weight(in))
+            piece_linear(shade_weight(in), value);
         for (int k = 0; k < 3; k++)
             value[k] *= 1 << 16; /* Q12 of 16 bits */
     }

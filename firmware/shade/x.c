@@ -31,10 +31,10 @@ static inline __attribute__((always_inline)) int interpolate(struct shade_setup 
     if (!dots_show(setup, in, light, highlight, range, bend, 0, &error))
         return 0;
     int linear = error < dots_limit(setup, in->surface, light);
-    if (!linear || in->weight) {
+    if (!linear || shade_weight(in)) {
         bulges(value, in->triangle, bulge);
-        if (in->weight)
-            piece_quadratic(in->weight, value, bulge);
+        if (shade_weight(in))
+            piece_quadratic(shade_weight(in), value, bulge);
     }
     if (!highlight && steps_apply(setup, in->surface))
         steps_take(setup, in->surface, range, bend, value, linear ? 0 : bulge);

@@ -266,7 +266,8 @@ static int lay_out(struct builder *b)
     convert_colour(model->background, b->header.background);
     b->header.fog = convert_fog(&model->fog);
     memcpy(b->bytes, &b->header, sizeof b->header);
-    ((struct scene_header *)b->bytes)->effects = scene_effects((struct scene_header *)b->bytes);
+    ((struct scene_header *)b->bytes)->effects =
+        scene_effects((struct scene_header *)b->bytes) | uses_clipping((struct scene_header *)b->bytes);
     seal((struct scene_header *)b->bytes);
     enum scene_fault fault = scene_check(b->bytes, b->size);
     if (fault) /* what the readers let through and the blob cannot hold */

@@ -18,6 +18,10 @@ extern const struct uses_name uses_names[]; /* effects, then formats; the last h
 /* The names of a set, each behind a space, or " none". */
 void uses_print(FILE *out, uint32_t uses);
 
+/* USES_CLIPPING if an object of a scene can ever reach out of the camera's view, in a picture of any size: it is taken
+ * for a ball about its own origin, so that it may turn. */
+uint32_t uses_clipping(const struct scene_header *scene);
+
 /* Whether a method draws scenes of these effects otherwise than a plainer one: of those for bump maps and for
  * perspective views it does where there are such. */
 bool uses_method(uint32_t uses, const char *name);
