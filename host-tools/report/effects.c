@@ -2,7 +2,6 @@
 #include "report/effects.h"
 
 #include "glint/cli.h"
-#include "glint/show.h"
 #include "pack/pack.h"
 #include "report/drawing.h"
 #include "report/picture.h"
@@ -40,8 +39,8 @@ static int effects_draw(struct effects_case *c)
     int code = drawing_make(c->drawn, c->packed.scene, c->path, &(struct drawing){.method = "auto", .colour = true},
                             &c->stats);
     if (!code)
-        code = drawing_make(c->plan, c->packed.scene, c->path, &(struct drawing){.show = &show_plan, .colour = true},
-                            NULL);
+        code = drawing_make(c->plan, c->packed.scene, c->path,
+                            &(struct drawing){.show = &glint_auto_shown, .colour = true}, NULL);
     if (code)
         return code;
     drawing_compare(c->drawn, &c->truth, c->truth.covered, &c->error);

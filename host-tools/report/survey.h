@@ -37,7 +37,7 @@ struct survey_budget {
     struct compare_result error;
     uint32_t instructions[COSTS_CPUS];
     struct glint_stats stats; /* of its frame */
-    uint8_t *plan;            /* width x height, RGB888: what it was drawn by (glint/show.h) */
+    uint8_t *plan;            /* width x height, RGB888: what it was drawn by (glint_auto_shown) */
 };
 
 struct survey_box {

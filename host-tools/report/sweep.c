@@ -2,7 +2,6 @@
 #include "report/sweep.h"
 
 #include "glint/cli.h"
-#include "glint/show.h"
 #include "report/drawing.h"
 #include "report/picture.h"
 #include "report/plot.h"
@@ -55,7 +54,7 @@ int sweep_measure(struct survey *survey, const char *path, const struct scene_he
         if (code)
             break;
         drawing_compare(grey, truth, survey->covered, &budget->error);
-        how = (struct drawing){.show = &show_plan, .colour = true, .budget_q8 = how.budget_q8};
+        how = (struct drawing){.show = &glint_auto_shown, .colour = true, .budget_q8 = how.budget_q8};
         code = drawing_make(budget->plan, scene, path, &how, NULL);
     }
     qsort(survey->budgets, survey->budget_count, sizeof *survey->budgets, sweep_order);
@@ -201,12 +200,29 @@ static bool sweep_plans(FILE *out, const struct survey *survey)
     return done;
 }
 
+/* As firmware/raster/draw_shown.c paints. */
+static const struct {
+    enum glint_method_id id;
+    uint8_t rgb[3];
+} sweep_colours[] = {
+    {GLINT_DARK, {45, 45, 60}},
+    {GLINT_CONSTANT, {60, 110, 220}},
+    {GLINT_GOURAUD, {60, 170, 75}},
+    {GLINT_LINEAR, {200, 215, 70}},
+    {GLINT_SIX, {245, 150, 40}},
+    {GLINT_DUFF, {215, 50, 50}},
+    {GLINT_PHONG, {190, 60, 200}},
+    {GLINT_BUMP_LINEAR, {120, 215, 225}},
+    {GLINT_BUMP_QUADRATIC, {50, 155, 190}},
+    {GLINT_BUMP_NORMALISED, {30, 95, 150}},
+};
+
 void sweep_legend(FILE *out)
 {
-    for (unsigned i = 0; i < SHOW_WAYS; i++) {
-        const uint8_t *rgb = show_ways[i].rgb;
+    for (unsigned i = 0; i < sizeof sweep_colours / sizeof *sweep_colours; i++) {
+        const uint8_t *rgb = sweep_colours[i].rgb;
         fprintf(out, " <span style=\"background:#%02x%02x%02x;padding:0 .6em\"></span>\u00a0%s", rgb[0], rgb[1], rgb[2],
-                glint_method_names[show_ways[i].id]);
+                glint_method_names[sweep_colours[i].id]);
     }
 }
 

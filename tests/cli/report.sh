@@ -169,7 +169,7 @@ equal 'and of the table' "$(cut -d , -f 1 out/stream.csv | sort | uniq -c | tr -
 matches 'what packing costs is there too' out/index.html \
     '<tr><td>t, rgb565 dithered</td><td>2</td><td>772</td><td>62\.5</td><td>22\.5</td><td>22\.5</td><td>0\.06</td><td>0\.02</td><td>0\.02</td></tr>'
 # a picture's bytes: those of a stream of two less those of the first alone; tiny's loop is 2 s
-stream() { "$glint" render "$tiny" --size 240x240 --format rgb565 --dither --band-rows 60 --fps 50 --stream - "$@" | wc -c; }
+stream() { "$glint" render "$tiny" --method x --size 240x240 --format rgb565 --dither --band-rows 60 --fps 50 --stream - "$@" | wc -c; }
 change=10 alone=10
 for moment in $(seq 0 100 1900); do
     first=$(stream --time "$moment" --frames 1)
