@@ -142,8 +142,10 @@ static void compare_formats(const struct frame_case *f, const struct frame_case 
     static const double steps[GLINT_FORMATS] = {31, 255, 255, 15};
     double step = 1 / steps[f->config.format], most = (f->config.flags & GLINT_DITHER ? 1. : .5) * step + 1.6 / 255;
     const struct glint_method *m = f->config.method;
-    if (step > 1 / 255. && (m == &glint_x || m == &glint_hybrid_x || m == &glint_six || m == &glint_x_perspective ||
-                            m == &glint_six_perspective || m == &glint_duff))
+    if (step > 1 / 255. &&
+        (m == &glint_x || m == &glint_hybrid_x || m == &glint_six || m == &glint_x_perspective ||
+         m == &glint_six_perspective || m == &glint_duff || m == &glint_bump_linear || m == &glint_bump_quadratic ||
+         m == &glint_bump_normalised || m == &glint_bump_frames || m == &glint_bump_upright))
         most += step; /* bends of less than half a step are left out, here of up to four values */
     if (m == &glint_auto)
         most += 2 * 2 / 255.; /* each picture is within its budget of the truth */
