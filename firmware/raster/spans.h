@@ -71,8 +71,8 @@ struct spans_values {
     uint32_t z, l, h, c, dz, dl, dh, dc, al, ah, ac;
 };
 
-/* 1 / sqrt(1 - s) in Q15 in the middle of each of 2^9 steps of s in [0, 1/4). */
-#define SPANS_LENGTH_BITS 9
+/* 1 / sqrt(1 - s) in Q15 in the middle of each of 2^10 steps of s in [0, 1/4). */
+#define SPANS_LENGTH_BITS 10
 extern const uint16_t spans_length[1 << SPANS_LENGTH_BITS];
 
 static inline __attribute__((always_inline)) uint32_t spans_normal(const struct spans_values *v,

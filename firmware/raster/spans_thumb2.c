@@ -19,7 +19,7 @@ _Static_assert(sizeof(struct channel) == 28 && offsetof(struct channel, p) == 4 
                "what is read by address: channel c's polynomial stands 28 c + 32 from the depth's");
 _Static_assert(offsetof(struct spans_hand, hidden) == 40 && offsetof(struct spans_hand, foot) == 56,
                "the words of struct spans_hand");
-_Static_assert(TABLE_BITS == 10 && SPANS_LENGTH_BITS == 9, "the saturations");
+_Static_assert(TABLE_BITS == 10 && SPANS_LENGTH_BITS == 10, "the saturations");
 
 /* On the stack: the rows, a second difference, spans_length, down and foot, table, to_pixels. Then a row: the next span
  * that holds pixels. */
@@ -132,7 +132,7 @@ __attribute__((naked)) void spans_hand_grey_lengths(struct spans_hand *rows)
 {
     (void)rows;
     __asm__(ENTER QUADRATIC("r8", "r9", "r4", "480", "488", "492", "496", "500") LINEAR("r4", "r5", "32", "36", "40")
-                LINEAR("r6", "r7", "60", "64", "68") "ldr r1, [sp, #24]\n" TEST "usat r11, #9, r8, asr #19\n"
+                LINEAR("r6", "r7", "60", "64", "68") "ldr r1, [sp, #24]\n" TEST "usat r11, #10, r8, asr #18\n"
                                                      "ldr lr, [sp, #8]\n"
                                                      "ldrh r11, [lr, r11, lsl #1]\n" /* 1 / |N| */
                                                      "ldrd r12, lr, [sp, #12]\n"

@@ -195,11 +195,11 @@ FX_COLD void surface_plan(struct surface *surface, const struct palette *palette
     if (plan->apart)
         budget = (uint16_t)(budget - PLAN_TEXTURE_SHARE(budget));
     plan->spare = (uint16_t)(rough < ROUNDINGS ? ROUNDINGS - rough : 0);
-    /* shade/dots.h: 1 / |N| straight into the band is off by 1/5250 */
-    plan->lengths = surface_fold(surface)
-                        ? (uint16_t)(((plan->light[0].specular * plan->power->exponent >> 4) * 13 >> 12) +
-                                     (plan->light[0].diffuse >> 12) + 1)
-                        : 0;
+    /* raster/spans_length.c: what is divided by the length straight into the band is off by 2^-13 */
+    plan->lengths =
+        surface_fold(surface)
+            ? (uint16_t)(((uint32_t)plan->light[0].specular * plan->power->exponent + plan->light[0].diffuse) >> 13) + 1
+            : 0;
     plan->sharp = excess > budget;
     plan->budget = (uint16_t)(plan->sharp ? 0 : budget - excess);
 }
