@@ -2,9 +2,11 @@
 /*
  * N.L and N.H as quadratics over a triangle through six samples: the corners' dot products and those at the middles of
  * the edges, where light and half-way vectors are unit ones of that place and the normal is (Ni + Nj) / 2 times a
- * length factor: X-shading (eq. 16)      1 + (1 - Ni.Nj) / 4 = 1 - k / 2 exact (six samples)     1 / sqrt(1 + k), the
- * true unit normal none (Duff)             1 With D = (Ni + Nj).V at the middle and S = Ii + Ij, the bulge is 2 S - 2 m
- * D; far lights have D = S.
+ * length factor:
+ *   X-shading (eq. 16)     1 + (1 - Ni.Nj) / 4 = 1 - k / 2
+ *   exact (six samples)    1 / sqrt(1 + k), of the true unit normal
+ *   none (Duff)            1
+ * With D = (Ni + Nj).V at the middle and S = Ii + Ij, the bulge is 2 S - 2 m D; far lights have D = S.
  */
 #ifndef GLINT_DOTS_H
 #define GLINT_DOTS_H
