@@ -72,11 +72,25 @@ static void greys_come_back(void **state)
     random_seed(1);
     for (size_t i = 0; i < sizeof pixels; i++)
         pixels[i] = (uint8_t)random_bits();
-    show(&(struct picture){pixels + 3, STRIDE, WIDTH, HEIGHT, false}, &image);
+    show(&(struct picture){pixels + 3, STRIDE, WIDTH, HEIGHT, PICTURE_GREY}, &image);
     for (unsigned y = 0; y < HEIGHT; y++)
         for (unsigned x = 0; x < WIDTH; x++)
             for (int c = 0; c < 3; c++)
                 assert_int_equal(image.rgb[3 * (y * WIDTH + x) + c], pixels[3 + y * STRIDE + x]);
+    image_free(&image);
+}
+
+static void colours_come_back(void **state)
+{
+    static uint8_t pixels[HEIGHT * 3 * STRIDE];
+    struct image image;
+    (void)state;
+    random_seed(3);
+    for (size_t i = 0; i < sizeof pixels; i++)
+        pixels[i] = (uint8_t)random_bits();
+    show(&(struct picture){pixels, 3 * STRIDE, WIDTH, HEIGHT, PICTURE_RGB}, &image);
+    for (unsigned y = 0; y < HEIGHT; y++)
+        assert_memory_equal(image.rgb + 3 * (size_t)y * WIDTH, pixels + 3 * (size_t)y * STRIDE, 3 * WIDTH);
     image_free(&image);
 }
 
@@ -88,7 +102,7 @@ static void levels_come_back_in_their_colours(void **state)
     random_seed(2);
     for (size_t i = 0; i < sizeof pixels; i++)
         pixels[i] = (uint8_t)random_between(0, 2 * PICTURE_LEVELS);
-    show(&(struct picture){pixels, STRIDE, WIDTH, HEIGHT, true}, &image);
+    show(&(struct picture){pixels, STRIDE, WIDTH, HEIGHT, PICTURE_DIFFERENCE}, &image);
     for (unsigned y = 0; y < HEIGHT; y++)
         for (unsigned x = 0; x < WIDTH; x++) {
             uint8_t rgb[3];
@@ -131,6 +145,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(greys_come_back),
+        cmocka_unit_test(colours_come_back),
         cmocka_unit_test(levels_come_back_in_their_colours),
         cmocka_unit_test(a_level_is_an_octave),
         cmocka_unit_test(larger_is_brighter_and_the_sign_is_seen),
