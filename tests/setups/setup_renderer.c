@@ -4,7 +4,7 @@
 
 int setup_renderer(const struct setup_case *c, struct polynomial *out)
 {
-    /* a bend limit of 0: whatever bends is quadratic */
+    /* with another light on the triangle, a bend limit of 0: whatever bends is quadratic */
     static const struct surface surface = {.channels = 1, .lights = 1, .light = {{.diffuse = {1}, .diffuse_most = 1}}};
     static const struct object_state object; /* light and eye are far */
     const struct scene_triangle triangle = {.bend = {c->bend[2], c->bend[1], c->bend[0]}};
@@ -17,7 +17,8 @@ int setup_renderer(const struct setup_case *c, struct polynomial *out)
                                    .no_plan = 1};
     struct shade_setup setup;
     setup.depth.exact = 0;
-    setup.quadratic = setup.diffuse_lights = setup.specular_lights = 0;
+    setup.quadratic = setup.specular_lights = 0;
+    setup.diffuse_lights = 2;
     if (!plane_setup(&setup.plane, in.place, SETUP_SIZE, SETUP_SIZE))
         return 0;
     shade_x(&setup, &in);

@@ -158,7 +158,8 @@ static void absurd_headers_are_refused(void **state)
     REFUSE(blob->reserved, 1, SCENE_E_RANGE);
     REFUSE(blob->reserved2, 1, SCENE_E_RANGE);
     REFUSE(blob->effects, blob->effects | (USES_EFFECTS + 1), SCENE_E_RANGE);
-    for (uint32_t bit = 1; bit < USES_EFFECTS; bit <<= 1) /* more than is needed may be there, but not less */
+    /* More than is needed may be there, but not less; of USES_CLIPPING there is only pack's word. */
+    for (uint32_t bit = 1; bit < USES_CLIPPING; bit <<= 1)
         REFUSE(blob->effects, blob->effects ^ bit, blob->effects & bit ? SCENE_E_RANGE : SCENE_OK);
     REFUSE(blob->length, 0, SCENE_E_SHORT);
     REFUSE(blob->length, 15, SCENE_E_SHORT);

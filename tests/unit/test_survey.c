@@ -120,10 +120,10 @@ static void a_scene_is_named_by_its_file(void **state)
 static void write_costs(struct case_file *frames, struct case_file *flash, const char *scene, int width, int height)
 {
     char text[16384], *at = text;
-    at += sprintf(at, "cpu,scene,method,width,height,format,instructions\n");
+    at += sprintf(at, "cpu,scene,method,width,height,format,instructions,picture\n");
     for (int cpu = 0; cpu < COSTS_CPUS; cpu++)
         for (unsigned m = 0; m < glint_choice_count && at < text + 16000; m++)
-            at += sprintf(at, "%s,%s,%s,%d,%d,grey8,%u\n", costs_cpu_names[cpu], scene, glint_choices[m].name, width,
+            at += sprintf(at, "%s,%s,%s,%d,%d,grey8,%u,0\n", costs_cpu_names[cpu], scene, glint_choices[m].name, width,
                           height, m + 1);
     case_write(frames, "costs.csv", text, (size_t)(at - text));
     at = text + sprintf(text, "cpu,method,bytes\n");
