@@ -50,8 +50,10 @@ static int golden_wants(const struct glint_choice *method, const struct golden_f
 {
     static const struct glint_method *const all[] = {&glint_flat, &glint_gouraud, &glint_x, &glint_phong};
     if (format->tables)
-        return method->method == &glint_x || method->method == &glint_six ||
-               (method->method == &glint_duff && format->format == GLINT_GREY8);
+        return method->method == &glint_x || method->method == &glint_six || method->method == &glint_auto ||
+               (format->format == GLINT_GREY8 &&
+                (method->method == &glint_duff || method->method == &glint_bump_linear ||
+                 method->method == &glint_bump_quadratic || method->method == &glint_bump_normalised));
     int wanted = !format->flags && (format->format == GLINT_RGB565 || format->format == GLINT_GREY8);
     for (unsigned i = 0; i < COUNT(all); i++)
         wanted |= method->method == all[i];

@@ -28,7 +28,7 @@ ALL_SRC = $(shell find firmware hal host-tools boards tests -name '*.[ch]')
 export SCENE_DIR ?= $(BUILD)/scenes
 GOLDEN_SCENES := mini clip back materials torus288 torus512 torus800 sphere168 sphere690 torus288-persp torus512-persp \
 	torus800-persp sphere168-persp sphere690-persp serpentine zigzag strip teapot896 bulb pawn bench-torus288 demo \
-	fog-linear two-sided-bowl texture-quad texture-teapot
+	fog-linear two-sided-bowl texture-quad texture-teapot bump-nearest bump-brick
 BENCH_SCENES := bench-torus288 bench-torus4000
 # What `make report` measures; the first is the page's summary and the README's.
 with_persp = $(foreach s,$(1),$(s) $(if $(wildcard tests/scenes/$(s)-persp.json),$(s)-persp))
