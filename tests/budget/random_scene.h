@@ -155,11 +155,9 @@ static inline void random_mapping(struct scene_case *c)
         }
         for (int k = 0; k < 3; k++)
             at[k] -= along / square * v->normal[k];
-        if (hypot(hypot(at[0], at[1]), at[2]) < .01) {
-            *t = random_tangents[0];
-            random_mapping(c);
-            return;
-        }
+        if (hypot(hypot(at[0], at[1]), at[2]) < .01) /* along the normal: any that is across it */
+            for (int k = 0; k < 3; k++)
+                at[k] = (k == 0) - (double)v->normal[k] * v->normal[0] / square;
         scene_case_normal(t->tangent, at[0], at[1], at[2]);
         t->sign = i == 0 ? random_between(0, 1) ? 1 : -1 : random_tangents[0].sign;
     }
@@ -223,6 +221,8 @@ static inline void random_effects(struct scene_case *c)
         c->bump = random_texture();
         c->bump.steepness = (uint16_t)random_magnitude(256, TEXTURE_UNIT * .7);
         random_fill(&c->bump, 1);
+        if (c->material[0].shininess > 200) /* above, normals in Q14 show: by up to 4/255 */
+            c->material[0].shininess = 200;
         c->bumps = (const int8_t(*)[2])random_bumps;
     }
 }
