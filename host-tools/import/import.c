@@ -176,8 +176,8 @@ static FILE *start(const char *path, double crease, pid_t *child)
     return in;
 }
 
-/* Reads the pictures of the materials from `first` on, which are beside the model or inside it. What is no PNG that can be read, or
- * not wanted, is left out: a warning says so, once for each. */
+/* Reads the pictures of the materials from `first` on, which are beside the model or inside it. What is no PNG that can
+ * be read, or not wanted, is left out: a warning says so, once for each. */
 static void read_pictures(const char *path, struct model *model, size_t first, bool has_uvs)
 {
     for (size_t i = first; i < model->material_count; i++) {
