@@ -35,6 +35,7 @@ for kind in affine quadratic split perspective; do
     run "coordinates are interpolated $kind" 0 "$glint" render b.glt --texture $kind --hash
 done
 run 'in no other way' 2 "$glint" render b.glt --texture cubic --hash
+matches 'and all are told' "$top/err" "'cubic' will not do for --texture KIND: .*affine, .*perspective; default: .* allows$"
 
 fresh
 scene no.png
