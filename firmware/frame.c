@@ -227,6 +227,8 @@ static void draw_triangle(struct glint_frame *f, const struct triangle_ref *ref)
     f->stats.specular_triangles += setup->specular_lights != 0;
     f->stats.linear_triangles +=
         (method->id == GLINT_X || method->id == GLINT_SIX) && !setup->quadratic && !setup->perspective;
+    if (USES(USES_TEXTURE | USES_BUMP) && setup->uv_kind)
+        f->stats.mapped[setup->uv_kind]++;
     if (USES(USES_FOG) && r->fog.kind)
         count_fog(&f->stats, r->fog_plan.kind);
     if (f->config.method->choose)
@@ -300,6 +302,8 @@ void glint_worker_end(const struct glint_frame *worker, struct glint_frame *f)
         f->stats.drawn[i] += worker->stats.drawn[i];
         f->stats.pixels[i] += worker->stats.pixels[i];
     }
+    for (unsigned i = 0; i < GLINT_TEXTURES; i++)
+        f->stats.mapped[i] += worker->stats.mapped[i];
     f->stats.specular_triangles += worker->stats.specular_triangles;
     f->stats.linear_triangles += worker->stats.linear_triangles;
     f->stats.setups += worker->stats.setups;

@@ -182,6 +182,7 @@ struct glint_stats {
     uint32_t potentially_highlighted; /* those of them that may hold one's centre */
     uint32_t setups;                  /* triangle set-ups: one a triangle and band that it touches */
     uint32_t turned;                  /* triangles of which the back is seen, and drawn */
+    uint32_t mapped[GLINT_TEXTURES];  /* of the drawn: those with a texture or bump map, by enum glint_texture */
     uint32_t fogged;                  /* of the drawn: those that some fog reaches */
     uint32_t fogged_by_pixel;         /* of them, those whose fog is found for each pixel anew */
     uint32_t fogged_wholly;           /* of them, those that are all fog: unlit */

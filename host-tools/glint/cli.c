@@ -13,6 +13,7 @@
 #include <time.h>
 
 const char *const cli_formats[] = {"rgb565", "rgb888", "grey8", "grey4"};
+const char *const cli_textures[GLINT_TEXTURES] = {"default", "affine", "quadratic", "split", "perspective"};
 
 int cli_usage(const char *command, const char *format, ...)
 {

@@ -34,6 +34,8 @@ matches 'its colours are brought down' "$top/out" 'colours'
 for kind in affine quadratic split perspective; do
     run "coordinates are interpolated $kind" 0 "$glint" render b.glt --texture $kind --hash
 done
+run 'statistics tell how' 0 "$glint" render "$scenes/texture-quad.json" --texture quadratic --stats --hash
+matches 'of each triangle' "$top/out" '^mapped +2 quadratic$'
 run 'in no other way' 2 "$glint" render b.glt --texture cubic --hash
 matches 'and all are told' "$top/err" "'cubic' will not do for --texture KIND: .*affine, .*perspective; default: .* allows$"
 
