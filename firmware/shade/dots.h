@@ -124,4 +124,7 @@ void dots_setup(struct shade_setup *setup, const struct shade_input *in, const s
 int duff_direct(const struct shade_setup *setup, const struct shade_input *in);
 void duff_square(struct shade_setup *setup, const struct shade_input *in);
 
+/* Of the same: |N|^2 at the input's corners, Q14, and its bulges, Q28. */
+void duff_lengths(const struct shade_input *in, int32_t value[3], int32_t bulge[3]);
+
 #endif

@@ -14,15 +14,20 @@ int duff_direct(const struct shade_setup *setup, const struct shade_input *in)
            bend[1] <= SHADE_LENGTH_BEND && bend[2] <= SHADE_LENGTH_BEND && !setup->plane.slim;
 }
 
-void duff_square(struct shade_setup *setup, const struct shade_input *in)
+void duff_lengths(const struct shade_input *in, int32_t value[3], int32_t bulge[3])
 {
-    int32_t value[3], bulge[3];
     for (int k = 0; k < 3; k++) {
         value[k] = Q14(1, 1);
         bulge[k] = (int32_t)((uint32_t)dots_bend(in, k) << 14); /* 4 bend in Q28: below 2^30 */
     }
     if (shade_weight(in))
         piece_quadratic(shade_weight(in), value, bulge);
+}
+
+void duff_square(struct shade_setup *setup, const struct shade_input *in)
+{
+    int32_t value[3], bulge[3];
+    duff_lengths(in, value, bulge);
     if (!setup->length) {
         plane_quadratic_large(&setup->plane, value, bulge, &setup->channel[SHADE_SQUARE]);
         return;
