@@ -93,16 +93,14 @@ static inline void curve_bound(const struct curve *curve, struct curve_values *v
 /* (f) The most that six is off, either way, Q14. high > 0, curve->lines not null. */
 static inline int32_t curve_six(const struct curve *curve, const struct curve_values *v)
 {
-    const struct curve_line *line = curve->lines, *const last = line + 4;
+    const struct curve_line *line = curve->lines;
     const int32_t scaled = (int32_t)((uint32_t)v->high * curve->bend >> 16) + 1, range = v->high - v->low;
-    int32_t most = 0; /* |alpha| < 2^16, |beta| < 2^14.1, scaled <= 2^13, range <= 2^15: below 2^31 */
-    if (range > 16 * scaled)
-        most = last->alpha * scaled + last->beta * range;
+    if (range > 4 * scaled)
+        line += range > 16 * scaled ? 4 : 3;
     else
-        for (; line != last; line++) {
-            const int32_t value = line->alpha * scaled + line->beta * range;
-            most = value > most ? value : most;
-        }
+        line += range > 2 * scaled ? 2 : range > scaled;
+    /* |alpha| < 2^16, |beta| < 2^14.1, scaled <= 2^13, range <= 2^15: below 2^31; and never below 0 */
+    const int32_t most = line->alpha * scaled + line->beta * range;
     return (int32_t)((((uint32_t)most >> 14) + 1) * curve->bend >> 18) + 2;
 }
 
