@@ -196,18 +196,19 @@ static uint32_t weights_error(const struct work *w)
  * are close, unless depths differ by more than 1 : 2, where they would be short. */
 static void take_phong(const struct work *w, struct shade_plan *plan)
 {
-    uint32_t total = 0, bend = w->s->duff_bend;
+    uint32_t total = 0;
     for (unsigned i = 0; i < w->parts && w->t->shift; i++) {
         const struct part *p = &w->part[i];
         const struct curve_values v = values(w, p->light, p->highlight);
         total += w->curve.lines ? curved_error(w, p, &v, moved_curved(w, &v)) : 1u << 16;
     }
     plan->undivided = w->t->shift && total <= w->s->budget;
-    if (w->t->shift)
-        bend = CURVE_MOST_BEND; /* in perspective Phong goes by runs, too */
     if (total > w->s->budget && w->t->shift <= DUFF_MOST_SHIFT)
         total = weights_error(w);
-    plan->rung = total > w->s->budget || w->s->sharp || w->curve.bend > bend ? PLAN_PHONG : PLAN_DUFF;
+    plan->rung = PLAN_DUFF;
+    if (total > w->s->budget || w->s->sharp || !w->curve.lines ||
+        (!w->t->shift && w->curve.sum > w->s->duff_sum)) /* in perspective Phong goes by runs, too */
+        plan->rung = PLAN_PHONG;
     for (unsigned i = 0; i < w->parts; i++)
         *(w->part[i].highlight ? &plan->specular : &plan->diffuse) |= (uint8_t)(1u << w->part[i].light);
     if (plan->rung == PLAN_PHONG)

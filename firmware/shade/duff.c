@@ -4,14 +4,21 @@
  * light and a six-sample quadratic under a near one, the denominator's square is the quadratic |N|^2 = 1 + 4 sum kij li
  * lj, which is X-shading's form with intensities of 1 and bulges of -4 kij.
  */
+#include "plan/curve.h"
 #include "shade/dots.h"
 #include "shade/piece.h"
 
+uint32_t duff_sum(const struct shade_input *in)
+{
+    const uint32_t a = dots_bend(in, 0), b = dots_bend(in, 1), c = dots_bend(in, 2);
+    const uint32_t most = a > b ? a : b;
+    return curve_sum(c > most ? c : most, a, b, c);
+}
+
 int duff_direct(const struct shade_setup *setup, const struct shade_input *in)
 {
-    const uint16_t *bend = in->triangle->bend;
-    return surface_fold(in->surface) && !object_local(in->object) && bend[0] <= SHADE_LENGTH_BEND &&
-           bend[1] <= SHADE_LENGTH_BEND && bend[2] <= SHADE_LENGTH_BEND && !setup->plane.slim;
+    return surface_fold(in->surface) && !object_local(in->object) && duff_sum(in) <= SHADE_LENGTH_SUM &&
+           !setup->plane.slim;
 }
 
 void duff_lengths(const struct shade_input *in, int32_t value[3], int32_t bulge[3])

@@ -107,18 +107,12 @@ static void weigh(struct perspective *p)
         p->s[k] = (uint16_t)(p->s[k] * 65535u / most);
 }
 
-/* Whether 1 - |N|^2 stays below 1/4, less 1/500 for the channel's error, where lengths are s |N|, and |N|^2 >= 1 - 4 S
- * of firmware/plan/README.md (a): 4 S <= max(k1, (2 k1 + k2 + k3) / 3), k below 2^14: duff_direct(). */
+/* Whether 1 - |N|^2 stays below 1/4, less 1/500 for the channel's error, where lengths are s |N|. */
 static int is_long(const struct perspective *p, const struct shade_input *in)
 {
-    uint32_t least = p->s[0] < p->s[1] ? p->s[0] : p->s[1], bend = 0, sum = 0;
+    uint32_t least = p->s[0] < p->s[1] ? p->s[0] : p->s[1];
     least = p->s[2] < least ? p->s[2] : least;
-    for (int k = 0; k < 3; k++) {
-        bend = dots_bend(in, k) > bend ? dots_bend(in, k) : bend;
-        sum += dots_bend(in, k);
-    }
-    sum = ((sum + bend) * 21846 >> 16) + 1;
-    return (least * least >> 16) * (65535 - (bend > sum ? bend : sum)) >> 16 > 49284;
+    return (least * least >> 16) * (65535 - 4 * duff_sum(in)) >> 16 > 49284; /* duff_direct(): 4 S < 2^14 */
 }
 
 /* One dot product as a numerator. It rounds to Q14 where loops of lengths take it: half of 2^-14 over .86. */

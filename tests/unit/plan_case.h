@@ -86,7 +86,7 @@ static inline void plan_case_material(struct plan_case *c, double budget)
     c->surface = (struct plan_surface){.power = &c->power,
                                        .budget = (uint16_t)(budget * 256),
                                        .highlights = 1,
-                                       .duff_bend = 32768,
+                                       .duff_sum = 65535,
                                        .foot = (int16_t)(16384 - (16384 >> c->power.octave))};
     c->surface.lights = (uint8_t)(random_fraction() < .7 ? 1 : random_between(2, PLAN_CASE_LIGHTS));
     c->rest = 255 * random_real(.3, 1);
