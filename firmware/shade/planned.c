@@ -55,6 +55,16 @@ static inline __attribute__((always_inline)) void interpolate(struct shade_setup
     setup->runs_only |= (uint8_t)(channel->exact != 0);
 }
 
+/* dots_length_factor() less 1, Q16: to 2^12 of bend its series k/2 + 3 k^2/8 + 5 k^3/16 + 35 k^4/128, within 1 of it,
+ * the last product below 2^31.1. */
+static int32_t longer(uint32_t bend)
+{
+    if (bend > 1u << 12)
+        return (int32_t)(dots_length_factor(bend) - (1u << 16));
+    const uint32_t third = bend * (20480 + (bend * 70 >> 8)) >> 16, second = bend * (24576 + third) >> 12;
+    return (int32_t)((bend * (524288 + second) + (1u << 19)) >> 20);
+}
+
 static __attribute__((noinline)) void linear(struct shade_setup *setup, const struct shade_input *in, unsigned index,
                                              int folds)
 {
@@ -80,7 +90,7 @@ void shade_planned(struct shade_setup *setup, const struct shade_input *in)
     if (setup->quadratic) {
         plane_setup_quadratic(&setup->plane);
         for (int k = 0; k < 3; k++)
-            factors[k] = (int32_t)(dots_length_factor(dots_bend(in, k)) - (1u << 16));
+            factors[k] = longer(dots_bend(in, k));
     }
     for (unsigned i = 0; i < lights; i++) {
         if (plan->diffuse_bent >> i & 1)
