@@ -187,7 +187,8 @@ static void count_plan(struct glint_stats *stats, const struct shade_plan *plan)
         stats->dropped_highlights += bits(plan->dropped_highlights);
         stats->undivided += plan->undivided;
     }
-    stats->straightened += bits(plan->diffuse & ~plan->diffuse_bent) + bits(plan->specular & ~plan->specular_bent);
+    if (plan->rung == PLAN_LINEAR || plan->rung == PLAN_SIX)
+        stats->straightened += bits(plan->diffuse & ~plan->diffuse_bent) + bits(plan->specular & ~plan->specular_bent);
     if (plan->error > stats->largest_error)
         stats->largest_error = plan->error;
 }

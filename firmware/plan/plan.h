@@ -40,8 +40,6 @@ struct shade_plan {
         };
     };
     uint8_t rung;                         /* enum plan_rung */
-    uint8_t texture;                      /* how its coordinates are interpolated */
-    uint8_t fog;                          /* how its factor is */
     uint16_t error;                       /* what a pixel can be off by, Q8 of 1/255, roundings apart */
     uint16_t level[2 * SCENE_MAX_LIGHTS]; /* PLAN_CONSTANT: N.L and (N.H)^n of each light, Q15 */
 };
