@@ -181,11 +181,14 @@ static inline uint32_t bits(unsigned set)
 /* What a plan left out. */
 static void count_plan(struct glint_stats *stats, const struct shade_plan *plan)
 {
-    stats->hidden_lights += bits(plan->hidden_lights);
-    stats->hidden_highlights += bits(plan->hidden_highlights);
-    stats->dropped_highlights += bits(plan->dropped_highlights);
-    stats->straightened += bits(plan->diffuse & ~plan->diffuse_bent) + bits(plan->specular & ~plan->specular_bent);
-    stats->undivided += plan->undivided;
+    if (plan->none[1]) { /* most leave nothing out */
+        stats->hidden_lights += bits(plan->hidden_lights);
+        stats->hidden_highlights += bits(plan->hidden_highlights);
+        stats->dropped_highlights += bits(plan->dropped_highlights);
+        stats->undivided += plan->undivided;
+    }
+    if (plan->rung == PLAN_LINEAR || plan->rung == PLAN_SIX)
+        stats->straightened += bits(plan->diffuse & ~plan->diffuse_bent) + bits(plan->specular & ~plan->specular_bent);
     if (plan->error > stats->largest_error)
         stats->largest_error = plan->error;
 }

@@ -131,8 +131,10 @@ enum glint_texture {
 };
 
 /* flags */
-#define GLINT_DITHER  1u /* ordered 4x4 dither for RGB565 and GREY4 */
-#define GLINT_NO_PLAN 2u /* compute every effect, even those that cannot show; the picture is the same */
+#define GLINT_DITHER 1u /* ordered 4x4 dither for RGB565 and GREY4 */
+/* N.L and N.H of the first light are computed where bounds say that they cannot show, too: the same picture, which is
+ * to be seen by it. What other lights leave out, and what a budget allows, stays left out. */
+#define GLINT_NO_PLAN 2u
 /* biquadratic: on every edge that passes the paper's test, not only where the triangles at it confirm an inflection.
  * That is for comparison: on a teapot it darkens spots of spout and handle. */
 #define GLINT_EVERY_ZIGZAG 4u
