@@ -3,7 +3,7 @@
 include hal/rp2040/rp2040.mk
 RP2040_SCENES := demo spin-torus800 spin-teapot spin-pawns torus1000 torus288 sphere690 bulb teapot896 bench-torus4000
 # A Cortex-M0+ takes more code than 64 KiB for all of them: these are there to be compared with, on the desktop.
-RP2040_WITHOUT := $(addprefix subdivide-,recursive centre regular highlight hybrid hybrid-x)
+RP2040_WITHOUT := color6 overveld-scan $(addprefix subdivide-,recursive centre regular highlight hybrid hybrid-x)
 define rp2040_board
 CPU_$(1) := -mcpu=cortex-m0plus
 OBJ_$(1) := m0plus

@@ -88,7 +88,9 @@ def read_helpers(images, frames, calls):
 
 
 class Walker:
-    def __init__(self, frames, calls, indirect):
+    """`linked`: the image's symbols; what is not among them is never called. None: all may be."""
+    def __init__(self, frames, calls, indirect, linked=None):
+        self.linked = linked
         self.frames, self.calls, self.indirect = frames, calls, indirect
         self.by_short = {short(name): name for name in frames}
         self.special = [before.strip() for caller, _ in indirect for before in caller.split(">")[:-1]]
@@ -121,6 +123,8 @@ class Walker:
         special = self.among(path)
         if (name, special) in self.done:
             return self.done[name, special]
+        if self.linked is not None and short(name) not in self.linked:
+            return 0, ()
         if name not in self.frames:
             self.faults.add(f"{name}: called by {short(path[-1]) if path else 'nobody'}, frame unknown")
             return 0, (name,)
