@@ -193,11 +193,14 @@ static inline uint32_t bits(unsigned set)
 /* What a plan left out. */
 static void count_plan(struct glint_stats *stats, const struct shade_plan *plan)
 {
-    stats->hidden_lights += bits(plan->hidden_lights);
-    stats->hidden_highlights += bits(plan->hidden_highlights);
-    stats->dropped_highlights += bits(plan->dropped_highlights);
-    stats->straightened += bits(plan->diffuse & ~plan->diffuse_bent) + bits(plan->specular & ~plan->specular_bent);
-    stats->undivided += plan->undivided;
+    if (plan->none[1]) { /* most leave nothing out */
+        stats->hidden_lights += bits(plan->hidden_lights);
+        stats->hidden_highlights += bits(plan->hidden_highlights);
+        stats->dropped_highlights += bits(plan->dropped_highlights);
+        stats->undivided += plan->undivided;
+    }
+    if (plan->rung == PLAN_LINEAR || plan->rung == PLAN_SIX)
+        stats->straightened += bits(plan->diffuse & ~plan->diffuse_bent) + bits(plan->specular & ~plan->specular_bent);
     if (plan->error > stats->largest_error)
         stats->largest_error = plan->error;
 }
@@ -237,6 +240,8 @@ static void draw_triangle(struct glint_frame *f, const struct triangle_ref *ref)
     f->stats.specular_triangles += setup->specular_lights != 0;
     f->stats.linear_triangles +=
         (method->id == GLINT_X || method->id == GLINT_SIX) && !setup->quadratic && !setup->perspective;
+    if (USES(USES_TEXTURE | USES_BUMP) && setup->uv_kind)
+        f->stats.mapped[setup->uv_kind]++;
     if (USES(USES_FOG) && r->fog.kind)
         count_fog(&f->stats, r->fog_plan.kind);
     if (f->config.method->choose)
@@ -310,6 +315,8 @@ void glint_worker_end(const struct glint_frame *worker, struct glint_frame *f)
         f->stats.drawn[i] += worker->stats.drawn[i];
         f->stats.pixels[i] += worker->stats.pixels[i];
     }
+    for (unsigned i = 0; i < GLINT_TEXTURES; i++)
+        f->stats.mapped[i] += worker->stats.mapped[i];
     f->stats.specular_triangles += worker->stats.specular_triangles;
     f->stats.linear_triangles += worker->stats.linear_triangles;
     f->stats.setups += worker->stats.setups;

@@ -131,8 +131,10 @@ enum glint_texture {
 };
 
 /* flags */
-#define GLINT_DITHER  1u /* ordered 4x4 dither for RGB565 and GREY4 */
-#define GLINT_NO_PLAN 2u /* compute every effect, even those that cannot show; the picture is the same */
+#define GLINT_DITHER 1u /* ordered 4x4 dither for RGB565 and GREY4 */
+/* N.L and N.H of the first light are computed where bounds say that they cannot show, too: the same picture, which is
+ * to be seen by it. What other lights leave out, and what a budget allows, stays left out. */
+#define GLINT_NO_PLAN 2u
 /* biquadratic: on every edge that passes the paper's test, not only where the triangles at it confirm an inflection.
  * That is for comparison: on a teapot it darkens spots of spout and handle. */
 #define GLINT_EVERY_ZIGZAG 4u
@@ -182,6 +184,7 @@ struct glint_stats {
     uint32_t potentially_highlighted; /* those of them that may hold one's centre */
     uint32_t setups;                  /* triangle set-ups: one a triangle and band that it touches */
     uint32_t turned;                  /* triangles of which the back is seen, and drawn */
+    uint32_t mapped[GLINT_TEXTURES];  /* of the drawn: those with a texture or bump map, by enum glint_texture */
     uint32_t fogged;                  /* of the drawn: those that some fog reaches */
     uint32_t fogged_by_pixel;         /* of them, those whose fog is found for each pixel anew */
     uint32_t fogged_wholly;           /* of them, those that are all fog: unlit */

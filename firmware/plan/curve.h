@@ -18,6 +18,7 @@ struct curve_line {
 /* A triangle of normals. */
 struct curve {
     uint32_t bend;                  /* the largest, kB, Q16 */
+    uint32_t sum;                   /* the largest S, Q16: 1 - |N|^2 is 4 S (a); with lines */
     uint32_t stretch;               /* 1/|N| - 1 where N is shortest, Q15, rounded up (a); with lines */
     const struct curve_line *lines; /* five, or null: nothing is promised */
 };
@@ -39,8 +40,15 @@ struct curve_values {
     int32_t linear, top;
 };
 
-/* (a) S = sum kij li lj <= max(k1 / 4, (2 k1 + k2 + k3) / 12), k1 the largest; and 1/sqrt(1 - 4 S) - 1 <= 2 S +
- * square S^2, as its series has no negative term. */
+/* (a) S = sum kij li lj <= max(k1 / 4, (2 k1 + k2 + k3) / 12), k1 the largest: Q16, rounded up. */
+static inline uint32_t curve_sum(uint32_t most, uint32_t a, uint32_t b, uint32_t c)
+{
+    /* the sum is at most 2^18, times 5462 below 2^30.5 */
+    const uint32_t quarter = (most >> 2) + 1, twelfth = ((most + a + b + c) * 5462 >> 16) + 1;
+    return quarter > twelfth ? quarter : twelfth;
+}
+
+/* (a) 1/sqrt(1 - 4 S) - 1 <= 2 S + square S^2, as its series has no negative term. */
 static inline void curve_setup(struct curve *curve, const uint16_t bend[3])
 {
     const uint32_t a = bend[0], b = bend[1], c = bend[2];
@@ -48,12 +56,11 @@ static inline void curve_setup(struct curve *curve, const uint16_t bend[3])
     most = c > most ? c : most;
     curve->bend = most;
     curve->lines = 0;
-    curve->stretch = 0;
+    curve->sum = curve->stretch = 0;
     if (most > CURVE_MOST_BEND)
         return;
-    /* the sum is at most 2^17, times 5462 below 2^29.5; s <= 2^13.5, s^2 < 2^27, times the factor below 2^24 */
-    const uint32_t quarter = (most >> 2) + 1, twelfth = ((most + a + b + c) * 5462 >> 16) + 1,
-                   s = quarter > twelfth ? quarter : twelfth;
+    const uint32_t s = curve_sum(most, a, b, c); /* s <= 2^13.5, s^2 < 2^27, times the factor below 2^24 */
+    curve->sum = s;
     const struct curve_band *band = curve_bands;
     while (most > band->most)
         band++;
@@ -93,16 +100,14 @@ static inline void curve_bound(const struct curve *curve, struct curve_values *v
 /* (f) The most that six is off, either way, Q14. high > 0, curve->lines not null. */
 static inline int32_t curve_six(const struct curve *curve, const struct curve_values *v)
 {
-    const struct curve_line *line = curve->lines, *const last = line + 4;
+    const struct curve_line *line = curve->lines;
     const int32_t scaled = (int32_t)((uint32_t)v->high * curve->bend >> 16) + 1, range = v->high - v->low;
-    int32_t most = 0; /* |alpha| < 2^16, |beta| < 2^14.1, scaled <= 2^13, range <= 2^15: below 2^31 */
-    if (range > 16 * scaled)
-        most = last->alpha * scaled + last->beta * range;
+    if (range > 4 * scaled)
+        line += range > 16 * scaled ? 4 : 3;
     else
-        for (; line != last; line++) {
-            const int32_t value = line->alpha * scaled + line->beta * range;
-            most = value > most ? value : most;
-        }
+        line += range > 2 * scaled ? 2 : range > scaled;
+    /* |alpha| < 2^16, |beta| < 2^14.1, scaled <= 2^13, range <= 2^15: below 2^31; and never below 0 */
+    const int32_t most = line->alpha * scaled + line->beta * range;
     return (int32_t)((((uint32_t)most >> 14) + 1) * curve->bend >> 18) + 2;
 }
 

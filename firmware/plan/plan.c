@@ -74,7 +74,7 @@ static void take_six(const struct facts *f, const struct plan_surface *s, struct
     const uint32_t budget = s->budget, never = 1u << 16;
     uint32_t six_l = 0, six_h = 0, error;
     /* between normals beyond 90 degrees, what Duff divides by is short, and what N.L is rounded by grows */
-    plan->rung = s->sharp || f->curve.bend > s->duff_bend ? PLAN_PHONG : PLAN_DUFF;
+    plan->rung = s->sharp || !f->curve.lines || f->curve.sum > s->duff_sum ? PLAN_PHONG : PLAN_DUFF;
     if (!f->curve.lines)
         return;
     plan->diffuse = (uint8_t)f->lit;

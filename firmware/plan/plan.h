@@ -40,8 +40,6 @@ struct shade_plan {
         };
     };
     uint8_t rung;                         /* enum plan_rung */
-    uint8_t texture;                      /* how its coordinates are interpolated */
-    uint8_t fog;                          /* how its factor is */
     uint16_t error;                       /* what a pixel can be off by, Q8 of 1/255, roundings apart */
     uint16_t level[2 * SCENE_MAX_LIGHTS]; /* PLAN_CONSTANT: N.L and (N.H)^n of each light, Q15 */
 };
@@ -55,7 +53,7 @@ struct plan_surface {
     uint16_t spare;     /* what is left of the allowance for roundings, Q8 of 1/255 */
     uint16_t lengths;   /* what Duff's table of reciprocal lengths is off by, likewise */
     uint8_t sharp;      /* roundings of N.H in vertex records alone pass the budget: Duff does not do either */
-    uint16_t duff_bend; /* the largest bend for which Duff is taken rather than phong; at most CURVE_MOST_BEND */
+    uint16_t duff_sum;  /* the largest S (a) for which Duff is taken rather than phong */
     uint8_t apart; /* textured: what is finished before the texel is known must not be clamped, nor have a highlight */
     uint16_t full; /* what all lights together may add before a channel is clamped, Q8 of 1/255 */
     int16_t foot;  /* N.H below which the power is 0, Q14 */

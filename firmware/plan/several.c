@@ -2,6 +2,8 @@
 /* Plans under several lights, and in perspective. */
 #include "plan/parts.h"
 
+#define DUFF_MOST_SHIFT (1u << 14) /* plan_shift() of depths 1 : 2 */
+
 /* One dot product of a light that shows: what its part of the colour is off by, Q8 of 1/255. */
 struct part {
     uint16_t none, linear, six; /* left out; linear; through six samples */
@@ -179,7 +181,19 @@ static void take_parts(const struct work *w, struct shade_plan *plan)
     plan->error = (uint16_t)total;
 }
 
-/* Per-pixel Phong by Duff's denominator, on the screen if that is not seen. */
+/* What the weights of perspective-correct Duff are rounded by: less than 2^-14 of N.L and N.H (shade/planned.c). */
+static uint32_t weights_error(const struct work *w)
+{
+    uint32_t sum = 0;
+    for (unsigned i = 0; i < w->parts; i++) {
+        const struct part *p = &w->part[i]; /* a power's slope is at most n < 2^12 */
+        sum += (coefficient(w, p->light, p->highlight) * (p->highlight ? w->s->power->exponent : 1u) >> 14) + 1;
+    }
+    return sum;
+}
+
+/* Per-pixel Phong by Duff's denominator, on the screen if that is not seen; else by normals as long as their corners
+ * are close, unless depths differ by more than 1 : 2, where they would be short. */
 static void take_phong(const struct work *w, struct shade_plan *plan)
 {
     uint32_t total = 0;
@@ -188,10 +202,18 @@ static void take_phong(const struct work *w, struct shade_plan *plan)
         const struct curve_values v = values(w, p->light, p->highlight);
         total += w->curve.lines ? curved_error(w, p, &v, moved_curved(w, &v)) : 1u << 16;
     }
-    plan->rung = total > w->s->budget || w->s->sharp || w->curve.bend > w->s->duff_bend ? PLAN_PHONG : PLAN_DUFF;
+    plan->undivided = w->t->shift && total <= w->s->budget;
+    if (total > w->s->budget && w->t->shift <= DUFF_MOST_SHIFT)
+        total = weights_error(w);
+    plan->rung = PLAN_DUFF;
+    if (total > w->s->budget || w->s->sharp || !w->curve.lines ||
+        (!w->t->shift && w->curve.sum > w->s->duff_sum)) /* in perspective Phong goes by runs, too */
+        plan->rung = PLAN_PHONG;
     for (unsigned i = 0; i < w->parts; i++)
         *(w->part[i].highlight ? &plan->specular : &plan->diffuse) |= (uint8_t)(1u << w->part[i].light);
-    plan->error = (uint16_t)(total > w->s->budget ? 0 : total);
+    if (plan->rung == PLAN_PHONG)
+        plan->undivided = 0, total = 0;
+    plan->error = (uint16_t)total;
 }
 
 uint32_t plan_shift(const int16_t *const place[3])
@@ -241,7 +263,8 @@ void plan_several(struct shade_plan *plan, const struct plan_surface *s, const s
         take_parts(&w, plan);
     else
         take_phong(&w, plan);
-    plan->undivided = t->shift && plan->rung > PLAN_CONSTANT && plan->rung < PLAN_PHONG;
+    if (t->shift && plan->rung > PLAN_CONSTANT && plan->rung < PLAN_DUFF)
+        plan->undivided = 1;
     if (t->keep)
         plan_keep(plan);
 }

@@ -19,8 +19,8 @@ static void nearest(struct raster *r, int n)
         const uint32_t column = texel_of(r->uv[0][i], map->log2_width, map->flags & TEXTURE_CLAMP_U);
         const uint32_t row = texel_of(r->uv[1][i], map->log2_height, map->flags & TEXTURE_CLAMP_V);
         const int8_t *texel = map->texel[row << map->log2_width | column];
-        r->value[3][i] = texel[0] * map->steepness >> 7;
-        r->value[4][i] = texel[1] * map->steepness >> 7;
+        r->value[3][i] = (texel[0] * map->steepness + (1 << 6)) >> 7;
+        r->value[4][i] = (texel[1] * map->steepness + (1 << 6)) >> 7;
         r->value[5][i] = bump_rise(map->rise, texel[0], texel[1]);
     }
 }
@@ -63,13 +63,14 @@ static void bilinear(struct raster *r, int n)
         for (int k = 0; k < 2; k++)
             xy[k] = blend(low[column.first], low[column.second], high[column.first], high[column.second], k,
                           column.part, row.part) >>
-                    14; /* Q8, at most 2^15 */
-        const uint32_t square = (uint32_t)(xy[0] * xy[0]) + (uint32_t)(xy[1] * xy[1]), middle = 64u << 16;
+                    13; /* Q9, at most 2^16 */
+        const int32_t x = xy[0] >> 1, y = xy[1] >> 1;
+        const uint32_t square = (uint32_t)(x * x) + (uint32_t)(y * y), middle = 64u << 16;
         const uint32_t at = square > middle ? square - middle : 0; /* Q16: below 2^31 */
         const uint16_t *rise = map->rise + (at >> 23);
-        r->value[3][i] = xy[0] * map->steepness >> 15;
-        r->value[4][i] = xy[1] * map->steepness >> 15;
-        r->value[5][i] = rise[0] + ((rise[1] - rise[0]) * (int32_t)(at >> 9 & 0x3fff) >> 14);
+        r->value[3][i] = (xy[0] * map->steepness + (1 << 15)) >> 16;
+        r->value[4][i] = (xy[1] * map->steepness + (1 << 15)) >> 16;
+        r->value[5][i] = rise[0] + (((rise[1] - rise[0]) * (int32_t)(at >> 9 & 0x3fff) + (1 << 13)) >> 14);
     }
 }
 

@@ -82,8 +82,9 @@ static void choose_tables(struct raster *r)
 /* Bump maps use grey's table alone, and lengths of their own with it. */
 static const struct glint_method *choose_bump(struct raster *r)
 {
-    const struct glint_method *method = bump_planned(r);
     struct shade_plan *plan = &r->input.plan;
+    plan->none[0] = plan->none[1] = 0;
+    const struct glint_method *method = bump_planned(r);
     const uint32_t lengths = plan->rung == PLAN_PHONG ? r->surface.plan.lengths : 0;
     const uint32_t error = with(r, plan->error, r->table_off + lengths);
     r->input.grey_table = r->plan_table && raster_is(r, GLINT_GREY8) && error <= r->surface.plan.budget;

@@ -69,7 +69,6 @@ static __attribute__((noinline)) int choose_kind(struct raster *r, const struct 
     if (kind == GLINT_TEXTURE_DEFAULT && r->surface.plan.power) { /* auto */
         uint32_t error;
         kind = texture_choose(texture->head, &spread, PLAN_TEXTURE_SHARE(r->budget), &error);
-        in->plan.texture = (uint8_t)kind;
         in->plan.error = (uint16_t)(in->plan.error + error);
     }
     if (kind == GLINT_TEXTURE_SPLIT && texture_error(&spread, GLINT_TEXTURE_QUADRATIC) <= PLAN_TEXTURE_SHARE(r->budget))

@@ -82,7 +82,6 @@ void fogged_setup(struct raster *r, const struct glint_method *method)
         set_runs(r);
     if (r->fog_planned) {
         const uint32_t error = (uint32_t)(r->input.plan.error >> faded(plan)) + plan->error;
-        r->input.plan.fog = plan->kind;
         r->input.plan.error = (uint16_t)(error < 65535 ? error : 65535);
     }
     /* Parts of a triangle have loops of their own too. */

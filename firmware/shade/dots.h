@@ -123,7 +123,11 @@ void dots_setup(struct shade_setup *setup, const struct shade_input *in, const s
  * into the band (raster/spans.h), where the squared length as its difference from 1 fits plane_quadratic() and a table
  * of reciprocal lengths holds what is below 1/4; and SHADE_SQUARE's channel, of 1 - |N|^2 with setup->length, else
  * |N|^2. */
+uint32_t duff_sum(const struct shade_input *in); /* 1 - |N|^2 is at most 4 times that, Q16 */
 int duff_direct(const struct shade_setup *setup, const struct shade_input *in);
 void duff_square(struct shade_setup *setup, const struct shade_input *in);
+
+/* Of the same: |N|^2 at the input's corners, Q14, and its bulges, Q28. */
+void duff_lengths(const struct shade_input *in, int32_t value[3], int32_t bulge[3]);
 
 #endif

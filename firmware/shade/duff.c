@@ -4,25 +4,37 @@
  * light and a six-sample quadratic under a near one, the denominator's square is the quadratic |N|^2 = 1 + 4 sum kij li
  * lj, which is X-shading's form with intensities of 1 and bulges of -4 kij.
  */
+#include "plan/curve.h"
 #include "shade/dots.h"
 #include "shade/piece.h"
 
-int duff_direct(const struct shade_setup *setup, const struct shade_input *in)
+uint32_t duff_sum(const struct shade_input *in)
 {
-    const uint16_t *bend = in->triangle->bend;
-    return surface_fold(in->surface) && !object_local(in->object) && bend[0] <= SHADE_LENGTH_BEND &&
-           bend[1] <= SHADE_LENGTH_BEND && bend[2] <= SHADE_LENGTH_BEND && !setup->plane.slim;
+    const uint32_t a = dots_bend(in, 0), b = dots_bend(in, 1), c = dots_bend(in, 2);
+    const uint32_t most = a > b ? a : b;
+    return curve_sum(c > most ? c : most, a, b, c);
 }
 
-void duff_square(struct shade_setup *setup, const struct shade_input *in)
+int duff_direct(const struct shade_setup *setup, const struct shade_input *in)
 {
-    int32_t value[3], bulge[3];
+    return surface_fold(in->surface) && !object_local(in->object) && duff_sum(in) <= SHADE_LENGTH_SUM &&
+           !setup->plane.slim;
+}
+
+void duff_lengths(const struct shade_input *in, int32_t value[3], int32_t bulge[3])
+{
     for (int k = 0; k < 3; k++) {
         value[k] = Q14(1, 1);
         bulge[k] = (int32_t)((uint32_t)dots_bend(in, k) << 14); /* 4 bend in Q28: below 2^30 */
     }
     if (shade_weight(in))
         piece_quadratic(shade_weight(in), value, bulge);
+}
+
+void duff_square(struct shade_setup *setup, const struct shade_input *in)
+{
+    int32_t value[3], bulge[3];
+    duff_lengths(in, value, bulge);
     if (!setup->length) {
         plane_quadratic_large(&setup->plane, value, bulge, &setup->channel[SHADE_SQUARE]);
         return;

@@ -37,10 +37,9 @@ static int32_t saturated(int64_t x)
 /* sum Vi li (sum li) - sum Bij li lj has Vi + Vj - Bij before li lj: Vi = Ii si^2, Bij = Vi + Vj - (Ii + Ij - aij) si
  * sj.
  */
-void perspective_quadratic(const struct perspective *p, const struct plane *plane, const int32_t value[3],
-                           const int32_t bulge[3], struct channel *channel)
+void perspective_numerator(const struct perspective *p, const int32_t value[3], const int32_t bulge[3], int32_t v[3],
+                           int32_t b[3])
 {
-    int32_t v[3], b[3];
     for (int k = 0; k < 3; k++) { /* Q14 * Q32 */
         uint32_t square = (uint32_t)p->s[k] * p->s[k];
         v[k] = (int32_t)(((int64_t)value[k] * square) >> 16);
@@ -51,5 +50,12 @@ void perspective_quadratic(const struct perspective *p, const struct plane *plan
         uint32_t product = (uint32_t)p->s[k] * p->s[j];
         b[k] = saturated((((int64_t)v[k] + v[j]) >> 2) - (int64_t)((middle * (int64_t)(product >> 1)) >> 31));
     }
+}
+
+void perspective_quadratic(const struct perspective *p, const struct plane *plane, const int32_t value[3],
+                           const int32_t bulge[3], struct channel *channel)
+{
+    int32_t v[3], b[3];
+    perspective_numerator(p, value, bulge, v, b);
     plane_quadratic_wide(plane, v, b, channel);
 }

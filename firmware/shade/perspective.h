@@ -31,6 +31,10 @@ int perspective_setup(struct perspective *p, const struct shade_input *in);
 void perspective_linear(const struct perspective *p, const struct plane *plane, const int32_t value[3],
                         struct channel *channel);
 
+/* Q's own corner values, Q30, and bulges, Q28, of a quadratic's: values in Q14, bulges in Q28. */
+void perspective_numerator(const struct perspective *p, const int32_t value[3], const int32_t bulge[3], int32_t v[3],
+                           int32_t b[3]);
+
 /* The channel of Q in Q30: corner values in Q14, bulges in Q28, |Phi| < 2. */
 void perspective_quadratic(const struct perspective *p, const struct plane *plane, const int32_t value[3],
                            const int32_t bulge[3], struct channel *channel);

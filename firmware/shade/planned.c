@@ -55,6 +55,16 @@ static inline __attribute__((always_inline)) void interpolate(struct shade_setup
     setup->runs_only |= (uint8_t)(channel->exact != 0);
 }
 
+/* dots_length_factor() less 1, Q16: to 2^12 of bend its series k/2 + 3 k^2/8 + 5 k^3/16 + 35 k^4/128, within 1 of it,
+ * the last product below 2^31.1. */
+static int32_t longer(uint32_t bend)
+{
+    if (bend > 1u << 12)
+        return (int32_t)(dots_length_factor(bend) - (1u << 16));
+    const uint32_t third = bend * (20480 + (bend * 70 >> 8)) >> 16, second = bend * (24576 + third) >> 12;
+    return (int32_t)((bend * (524288 + second) + (1u << 19)) >> 20);
+}
+
 static __attribute__((noinline)) void linear(struct shade_setup *setup, const struct shade_input *in, unsigned index,
                                              int folds)
 {
@@ -80,7 +90,7 @@ void shade_planned(struct shade_setup *setup, const struct shade_input *in)
     if (setup->quadratic) {
         plane_setup_quadratic(&setup->plane);
         for (int k = 0; k < 3; k++)
-            factors[k] = (int32_t)(dots_length_factor(dots_bend(in, k)) - (1u << 16));
+            factors[k] = longer(dots_bend(in, k));
     }
     for (unsigned i = 0; i < lights; i++) {
         if (plan->diffuse_bent >> i & 1)
@@ -94,15 +104,92 @@ void shade_planned(struct shade_setup *setup, const struct shade_input *in)
     }
 }
 
+/*
+ * Duff's in perspective. The normal in space is P / W (shade/perspective.h), and of N.V / |N| the W goes: corner
+ * normals of length s_i, linear on the screen, are correct at no cost to a pixel. The largest s is 1, so that lengths
+ * are at most 1, as those that the loops expect.
+ */
+static void weigh(struct perspective *p)
+{
+    uint32_t most = p->s[0] > p->s[1] ? p->s[0] : p->s[1];
+    most = p->s[2] > most ? p->s[2] : most;
+    for (int k = 0; k < 3; k++)
+        p->s[k] = (uint16_t)(p->s[k] * 65535u / most);
+}
+
+/* Whether 1 - |N|^2 stays below 1/4, less 1/500 for the channel's error, where lengths are s |N|. */
+static int is_long(const struct perspective *p, const struct shade_input *in)
+{
+    uint32_t least = p->s[0] < p->s[1] ? p->s[0] : p->s[1];
+    least = p->s[2] < least ? p->s[2] : least;
+    return (least * least >> 16) * (65535 - 4 * duff_sum(in)) >> 16 > 49284; /* duff_direct(): 4 S < 2^14 */
+}
+
+/* One dot product as a numerator. It rounds to Q14 where loops of lengths take it: half of 2^-14 over .86. */
+static void numerator(struct shade_setup *setup, const struct shade_input *in, const struct perspective *p,
+                      unsigned index)
+{
+    const struct surface *s = in->surface;
+    struct channel *channel = &setup->channel[index];
+    int32_t value[3] = {in->lights[0][index], in->lights[1][index], in->lights[2][index]};
+    const struct bounds range = bounds_of(value); /* weights only bring it nearer to 0 */
+    if (shade_weight(in))
+        piece_linear(shade_weight(in), value);
+    if (index & 1) {
+        setup->runs_only |= (uint8_t)dots_deep(s->power, range, 2);
+        setup->wide |= (uint8_t)dots_wide(s->power, range, 2);
+    }
+    if (setup->length) {
+        for (int k = 0; k < 3; k++) /* |v| <= 2^14 (1 + 2^-9), s < 2^16 */
+            value[k] = (value[k] * p->s[k] + (1 << 15)) >> 16;
+        if (!(index & 1))
+            steps_take(setup, s, range, 2, value, 0);
+        plane_linear(&setup->plane, value, channel);
+    } else {
+        perspective_linear(p, &setup->plane, value, channel);
+    }
+    setup->runs_only |= (uint8_t)(channel->exact != 0);
+}
+
+static __attribute__((noinline)) void duff_in_perspective(struct shade_setup *setup, const struct shade_input *in,
+                                                          struct perspective *p)
+{
+    int32_t value[3], bulge[3], squares[3], bulges[3];
+    weigh(p);
+    setup->length = (uint8_t)(setup->length && is_long(p, in));
+    for (unsigned i = 0; i < surface_lights(in->surface); i++) {
+        if (in->plan.diffuse >> i & 1)
+            numerator(setup, in, p, 2 * i);
+        if (in->plan.specular >> i & 1)
+            numerator(setup, in, p, 2 * i + 1);
+    }
+    duff_lengths(in, value, bulge);
+    perspective_numerator(p, value, bulge, squares, bulges);
+    if (!setup->length) {
+        plane_quadratic_wide(&setup->plane, squares, bulges, &setup->channel[SHADE_SQUARE]);
+        return;
+    }
+    for (int k = 0; k < 3; k++) {
+        squares[k] = Q14(1, 1) - ((squares[k] + (1 << 15)) >> 16);
+        bulges[k] = -bulges[k];
+    }
+    plane_quadratic(&setup->plane, squares, bulges, &setup->channel[SHADE_SQUARE]);
+}
+
 /* Duff's, whose numerators are linear under far lights. */
 void shade_planned_duff(struct shade_setup *setup, const struct shade_input *in)
 {
+    struct perspective perspective;
     const unsigned lights = surface_lights(in->surface);
     setup->runs_only = setup->depth.exact != 0;
     setup->diffuse_lights = in->plan.diffuse;
     setup->specular_lights = in->plan.specular;
     plane_setup_quadratic(&setup->plane);
     setup->length = (uint8_t)(duff_direct(setup, in) && shade_alone(setup));
+    if (USES(USES_PERSPECTIVE) && !in->plan.undivided && perspective_setup(&perspective, in)) {
+        duff_in_perspective(setup, in, &perspective);
+        return;
+    }
     for (unsigned i = 0; i < lights; i++) {
         if (in->plan.diffuse >> i & 1)
             linear(setup, in, 2 * i, setup->length);

@@ -120,9 +120,9 @@ struct part_split {
 };
 #define PART_DEPTH 5 /* times that a triangle is split at most */
 
-/* The largest bend, Q16, at which 1 - |N|^2 <= 4/3 bend stays below 1/4, less 1/500 for the channel's error: about 51
- * degrees between two normals. */
-#define SHADE_LENGTH_BEND 12200
+/* The largest S (firmware/plan/README.md, a), Q16, at which 1 - |N|^2 <= 4 S stays below 1/4, less 1/500 for the
+ * channel's error: 51 degrees between three normals, 60 between two. */
+#define SHADE_LENGTH_SUM 4066
 
 struct shade_setup {
     union { /* what set-up finds out, all 0 before it */

@@ -171,7 +171,7 @@ FX_COLD void surface_plan(struct surface *surface, const struct palette *palette
     plan->lights = surface->lights;
     plan->highlights = surface->highlights;
     /* beyond it, where Phong goes straight into the band, Duff goes by runs */
-    plan->duff_bend = surface_fold(surface) && surface->lights == 1 ? SHADE_LENGTH_BEND : CURVE_MOST_BEND;
+    plan->duff_sum = surface_fold(surface) && surface->lights == 1 ? SHADE_LENGTH_SUM : UINT16_MAX;
     plan->foot = (int16_t)((1 << 14) - ((1 << 14) >> surface->power->octave));
     for (unsigned c = 0; c < surface->channels; c++) {
         const uint32_t ambient = in_255(surface->base[c] >> 7, palette->top[c]);

@@ -73,13 +73,12 @@ static bool image_read(struct image_reader *reader)
     return true;
 }
 
-int image_read_png(const char *path, struct image *image)
+/* Closes the file, or null, which did not open. */
+static int image_read_file(const char *path, FILE *file, struct image *image)
 {
-    struct image_reader reader = {.path = path, .image = image};
+    struct image_reader reader = {.path = path, .file = file, .image = image};
     png_byte signature[8];
     *image = (struct image){0};
-    errno = 0;
-    reader.file = fopen(path, "rb");
     size_t size = reader.file ? fread(signature, 1, sizeof signature, reader.file) : 0;
     if (!reader.file || ferror(reader.file)) { /* a directory opens, but does not read */
         fprintf(stderr, "%s: %s\n", path, strerror(errno));
@@ -106,6 +105,18 @@ int image_read_png(const char *path, struct image *image)
     if (!done)
         image_free(image);
     return done ? 0 : 1;
+}
+
+int image_read_png(const char *path, struct image *image)
+{
+    errno = 0;
+    return image_read_file(path, fopen(path, "rb"), image);
+}
+
+int image_read_png_bytes(const char *name, const uint8_t *bytes, size_t size, struct image *image)
+{
+    errno = 0;
+    return image_read_file(name, fmemopen((void *)(uintptr_t)bytes, size, "rb"), image); /* "r": it writes nothing */
 }
 
 void image_free(struct image *image)

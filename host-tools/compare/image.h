@@ -18,6 +18,9 @@ struct image {
  * is nothing to free. */
 int image_read_png(const char *path, struct image *image);
 
+/* The same from memory; `name` is for messages. */
+int image_read_png_bytes(const char *name, const uint8_t *bytes, size_t size, struct image *image);
+
 void image_free(struct image *image);
 
 #endif

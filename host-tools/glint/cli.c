@@ -13,6 +13,7 @@
 #include <time.h>
 
 const char *const cli_formats[] = {"rgb565", "rgb888", "grey8", "grey4"};
+const char *const cli_textures[GLINT_TEXTURES] = {"default", "affine", "quadratic", "split", "perspective"};
 
 int cli_usage(const char *command, const char *format, ...)
 {
@@ -35,7 +36,13 @@ int cli_refuse(const char *command, const char *help, const char *name, const ch
     while (left < all && strncmp(line + left, "  ", 2) != 0)
         left++;
     int right = left + (int)strspn(line + left, " ");
-    fprintf(stderr, "%s: '%s' will not do for %.*s: %.*s\n", command, value, left, line, all - right, line + right);
+    fprintf(stderr, "%s: '%s' will not do for %.*s: %.*s", command, value, left, line, all - right, line + right);
+    for (line += all; *line == '\n' && strspn(line + 1, " ") >= 8; line += all) { /* goes on in that column */
+        line += 1 + strspn(line + 1, " ");
+        all = (int)strcspn(line, "\n");
+        fprintf(stderr, " %.*s", all, line);
+    }
+    fputs("\n", stderr);
     return CLI_BAD_USAGE;
 }
 

@@ -31,6 +31,9 @@ int cli_choice(const char *text, const char *const names[], int count);
 /* The names of enum glint_format, in its order. */
 extern const char *const cli_formats[];
 
+/* Those of enum glint_texture. */
+extern const char *const cli_textures[];
+
 /* From now on SIGINT, SIGTERM, SIGHUP and SIGQUIT only set what cli_interrupted() returns, the signal's number, so that
  * work under way can take back what it has written. To be called before a file is opened for writing, and not long
  * before: until then a signal ends the program at once. */

@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define DEMO_PANELS 3
+#define DEMO_PANELS 4
 #define DEMO_GAP    4u  /* pixels between panels */
 #define DEMO_STRIP  28u /* rows for the labels */
 
@@ -23,14 +23,15 @@ static const char demo_name[] = "glint demo";
 
 static const char demo_help[] =
     "usage: glint demo SCENE FOLDER [OPTION]...\n\n"
-    "Draws one loop of a scene's animation by Gouraud, X-shading and per-pixel Phong, side by side, into\n"
-    "FOLDER/frame-0000.png ... and the animated FOLDER/demo.png, and prints what each method costs.\n\n"
+    "Draws one loop of a scene's animation by Gouraud, X-shading, auto with its budget of 2/255 and per-pixel Phong,\n"
+    "side by side, into FOLDER/frame-0000.png ... and the animated FOLDER/demo.png, and prints what each method "
+    "costs.\n\n"
     "      --frames N   1..10000, default 48\n"
     "      --height H   of a panel in pixels, 16..1024, default 240; the width follows the camera\n"
     "      --help\n";
 
-static const char *const demo_methods[DEMO_PANELS] = {"gouraud", "x", "phong"};
-static const char *const demo_labels[DEMO_PANELS] = {"GOURAUD", "X-SHADING", "PHONG"};
+static const char *const demo_methods[DEMO_PANELS] = {"gouraud", "x", "auto", "phong"};
+static const char *const demo_labels[DEMO_PANELS] = {"GOURAUD", "X-SHADING", "AUTO", "PHONG"};
 
 struct demo {
     const char *path; /* of the scene */

@@ -139,8 +139,6 @@ static const struct option render_options[] = {{"output", required_argument, NUL
                                                {"help", no_argument, NULL, RENDER_HELP},
                                                {0}};
 
-static const char *const render_textures[GLINT_TEXTURES] = {"default", "affine", "quadratic", "split", "perspective"};
-
 /* Stores a number that fits 0..255 or an index; false for what cli_choice() did not find. */
 static bool render_choose(int choice, uint8_t *out)
 {
@@ -176,7 +174,7 @@ static bool render_value(struct render *render, int option, const char *text)
     case RENDER_POWER:
         return render_choose_power(text, &config->power);
     case RENDER_TEXTURE:
-        return render_choose(cli_choice(text, render_textures, GLINT_TEXTURES), &config->texture);
+        return render_choose(cli_choice(text, cli_textures, GLINT_TEXTURES), &config->texture);
     case RENDER_SIZE:
         return cli_size(text, &config->width, &config->height);
     case RENDER_FRAMES:

@@ -33,6 +33,8 @@ void tally_add(struct tally *tally, const struct glint_stats *stats)
         tally->drawn[m] += stats->drawn[m];
         tally->pixels[m] += stats->pixels[m];
     }
+    for (int t = 0; t < GLINT_TEXTURES; t++)
+        tally->mapped[t] += stats->mapped[t];
 }
 
 static void tally_count(const char *name, uint64_t count, const char *meaning, bool json)
@@ -43,20 +45,20 @@ static void tally_count(const char *name, uint64_t count, const char *meaning, b
         printf("%-20s %" PRIu64 "%s%s\n", name, count, *meaning ? "  " : "", meaning);
 }
 
-static void tally_methods(const char *name, const uint64_t count[GLINT_METHODS], bool json)
+static void tally_each(const char *name, const uint64_t *count, const char *const *of, int kinds, bool json)
 {
-    if (json) {
-        printf("\"%s\": {", name);
-        for (int m = 0; m < GLINT_METHODS; m++)
-            printf("%s\"%s\": %" PRIu64, m ? ", " : "", glint_method_names[m], count[m]);
-        printf("}, ");
-        return;
-    }
-    printf("%-20s", name);
-    for (int m = 0; m < GLINT_METHODS; m++)
-        if (count[m])
-            printf(" %" PRIu64 " %s", count[m], glint_method_names[m]);
-    printf("\n");
+    const char *between = "";
+    uint64_t sum = 0;
+    printf(json ? "\"%s\": {" : "%-20s", name);
+    for (int i = 0; i < kinds; i++)
+        if (json) {
+            printf("%s\"%s\": %" PRIu64, between, of[i], count[i]);
+            between = ", ";
+        } else if (count[i]) {
+            printf(" %" PRIu64 " %s", count[i], of[i]);
+            sum += count[i];
+        }
+    printf("%s", json ? "}, " : sum ? "\n" : " 0\n");
 }
 
 /* What auto left out. */
@@ -96,14 +98,15 @@ void tally_print(const struct tally *tally, const struct renderer *renderer, boo
     tally_count("rejected", tally->rejected, "outside the view", json);
     tally_count("clipped", tally->clipped, "", json);
     tally_count("dropped", tally->dropped, "no room for them", json);
-    tally_methods("drawn", tally->drawn, json);
-    tally_methods("pixels", tally->pixels, json);
+    tally_each("drawn", tally->drawn, glint_method_names, GLINT_METHODS, json);
+    tally_each("pixels", tally->pixels, glint_method_names, GLINT_METHODS, json);
     tally_count("specular_triangles", tally->specular_triangles, "drawn ones that a highlight can reach", json);
     tally_count("linear_triangles", tally->linear_triangles, "drawn by x or six, their bend too small to show", json);
     tally_count("highlight_tests", tally->highlight_tests, "of triangles, where the method asks for them", json);
     tally_count("potentially_highlighted", tally->potentially_highlighted, "those that passed", json);
     tally_count("setups", tally->setups, "", json);
     tally_count("turned", tally->turned, "of which the back is seen", json);
+    tally_each("mapped", tally->mapped + 1, cli_textures + 1, GLINT_TEXTURES - 1, json);
     tally_count("fogged", tally->fogged, "drawn ones that some fog reaches", json);
     tally_count("fogged_by_pixel", tally->fogged_by_pixel, "of them, those whose fog is found at each pixel", json);
     tally_count("fogged_wholly", tally->fogged_wholly, "of them, those that are all fog: unlit", json);

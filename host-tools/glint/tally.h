@@ -15,7 +15,7 @@ struct tally {
         highlight_tests, potentially_highlighted, hidden_lights, hidden_highlights, dropped_highlights, straightened,
         undivided, turned, fogged, fogged_by_pixel, fogged_wholly;
     uint16_t largest_error; /* of any frame */
-    uint64_t drawn[GLINT_METHODS], pixels[GLINT_METHODS];
+    uint64_t drawn[GLINT_METHODS], pixels[GLINT_METHODS], mapped[GLINT_TEXTURES];
 };
 
 void tally_add(struct tally *tally, const struct glint_stats *stats);

@@ -92,6 +92,8 @@ static void send_model(FILE *out, const char *path, double crease)
         fwrite(&length, sizeof length, 1, out);
         if (length)
             fwrite(model.materials[i].picture, 1, length, out);
+        if (model.materials[i].inside)
+            fwrite(model.materials[i].inside, 1, model.materials[i].inside_size, out);
     }
     if (!reason) {
         fwrite(mesh->vertices, sizeof *mesh->vertices, mesh->vertex_count, out);
@@ -115,10 +117,15 @@ static bool receive(FILE *in, struct reply *reply, struct model *model, size_t i
             return false;
         material.name = model_alloc(length + 1);
         material.picture = NULL;
+        material.inside = NULL;
         bool whole = fread(material.name, 1, length, in) == length && fread(&length, sizeof length, 1, in) == 1;
         if (whole && length) {
             material.picture = model_alloc(length + 1);
             whole = fread(material.picture, 1, length, in) == length;
+        }
+        if (whole && material.inside_size) {
+            material.inside = model_alloc(material.inside_size);
+            whole = fread(material.inside, 1, material.inside_size, in) == material.inside_size;
         }
         struct model_material *out = model_add_material(model, "");
         free(out->name);
@@ -169,8 +176,8 @@ static FILE *start(const char *path, double crease, pid_t *child)
     return in;
 }
 
-/* Reads the pictures of the materials from `first` on, which are beside the model. What is no PNG that can be read, or
- * not wanted, is left out: a warning says so, once for each. */
+/* Reads the pictures of the materials from `first` on, which are beside the model or inside it. What is no PNG that can
+ * be read, or not wanted, is left out: a warning says so, once for each. */
 static void read_pictures(const char *path, struct model *model, size_t first, bool has_uvs)
 {
     for (size_t i = first; i < model->material_count; i++) {
@@ -181,12 +188,18 @@ static void read_pictures(const char *path, struct model *model, size_t first, b
                 m->texture = model->materials[k].texture;
                 known = true;
             }
-        if (m->picture && !known && has_uvs)
+        if (!m->picture || known || !has_uvs)
+            continue;
+        if (m->picture[0] == '*')
+            picture_inside(path, m, model, &m->texture);
+        else
             picture_beside(path, m->picture, model, &m->texture);
     }
     for (size_t i = first; i < model->material_count; i++) {
         free(model->materials[i].picture);
         model->materials[i].picture = NULL;
+        free(model->materials[i].inside);
+        model->materials[i].inside = NULL;
     }
 }
 

@@ -7,8 +7,8 @@
  * with base colour B, metalness m and roughness r, n = 2/r^4 - 2 (the Blinn-Phong exponent whose lobe is as wide as
  * the microfacets'), diffuse = (B (1 - m/2))^(1/2.2), since B is linear and Glint's colours are display values, and
  * specular = mix(0.04, B, m) (n + 8)/8, at most 1. Exponents are rounded to 1..1023. A mesh without material is light
- * grey. Vertex colours are not read. A texture of the diffuse or base colour is, from a PNG file
- * beside the model; one that cannot be is left out, with a warning.
+ * grey. Vertex colours are not read. A texture of the diffuse or base colour is, from a PNG file beside the model or
+ * inside it; one that cannot be is left out, with a warning.
  *
  * Normals that are missing, and STL's, which are only its facets', are made by normals_smooth().
  */

@@ -8,6 +8,7 @@
 #include <assimp/scene.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Beyond this the quantiser's numbers are meaningless and squares leave the doubles' comfort. */
@@ -67,7 +68,23 @@ static void physical(const struct aiMaterial *in, const double base[3], struct m
     out->ks = 1;
 }
 
-/* The file of the colours' texture; null: none, or one inside the model. */
+/* A picture inside the model: its bytes, as they would be in a file, to the first material that has it. */
+static void read_inside(const struct aiScene *scene, const struct model *model, struct model_material *out)
+{
+    char *end;
+    const unsigned long index = strtoul(out->picture + 1, &end, 10);
+    const struct aiTexture *texture = *end == 0 && index < scene->mNumTextures ? scene->mTextures[index] : NULL;
+    for (const struct model_material *m = model->materials; texture && m < out; m++)
+        if (m->inside && !strcmp(m->picture, out->picture))
+            return;
+    if (!texture || texture->mHeight != 0 || texture->mWidth == 0) /* else mWidth counts bytes */
+        return;
+    out->inside_size = texture->mWidth;
+    out->inside = model_alloc(out->inside_size);
+    memcpy(out->inside, texture->pcData, out->inside_size);
+}
+
+/* The file of the colours' texture, or *N, number N of those inside the model; null: none. */
 static char *picture_of(const struct aiMaterial *in)
 {
     static const enum aiTextureType types[] = {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE};
@@ -75,11 +92,11 @@ static char *picture_of(const struct aiMaterial *in)
     for (int i = 0; i < 2; i++)
         if (aiGetMaterialTexture(in, types[i], 0, &path, NULL, NULL, NULL, NULL, NULL, NULL) == AI_SUCCESS &&
             path.length > 0)
-            return path.data[0] == '*' ? NULL : model_copy(path.data);
+            return model_copy(path.data);
     return NULL;
 }
 
-static void read_material(const struct aiMaterial *in, struct model *model)
+static void read_material(const struct aiScene *scene, const struct aiMaterial *in, struct model *model)
 {
     struct aiString name = {0};
     double base[3];
@@ -88,6 +105,8 @@ static void read_material(const struct aiMaterial *in, struct model *model)
     int two_sided = 0;
     out->two_sided = aiGetMaterialInteger(in, AI_MATKEY_TWOSIDED, &two_sided) == AI_SUCCESS && two_sided;
     out->picture = picture_of(in);
+    if (out->picture && out->picture[0] == '*')
+        read_inside(scene, model, out);
     for (int k = 0; k < 3; k++)
         out->diffuse[k] = 0.75;
     if (get_colour(in, "$clr.base", base)) {
@@ -146,7 +165,7 @@ static const struct aiScene *load(const char *path)
     aiSetImportPropertyInteger(properties, AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     aiSetImportPropertyInteger(properties, AI_CONFIG_PP_RVC_FLAGS,
                                aiComponent_COLORS | aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS |
-                                   aiComponent_TEXTURES | aiComponent_LIGHTS | aiComponent_CAMERAS);
+                                   aiComponent_LIGHTS | aiComponent_CAMERAS);
     const struct aiScene *scene = aiImportFileExWithProperties(path, steps, NULL, properties);
     aiReleasePropertyStore(properties);
     return scene;
@@ -169,7 +188,7 @@ const char *importer_read(const char *path, struct model *model, size_t mesh, bo
     const char *reason = log.lost ? said : NULL;
     const size_t first_material = model->material_count;
     for (unsigned i = 0; i < scene->mNumMaterials; i++)
-        read_material(scene->mMaterials[i], model);
+        read_material(scene, scene->mMaterials[i], model);
     *has_normals = true;
     for (unsigned i = 0; !reason && i < scene->mNumMeshes; i++) {
         const struct aiMesh *in = scene->mMeshes[i];

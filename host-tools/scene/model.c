@@ -139,6 +139,7 @@ void model_free(struct model *model)
     for (size_t i = 0; i < model->material_count; i++) {
         free(model->materials[i].name);
         free(model->materials[i].picture);
+        free(model->materials[i].inside);
     }
     for (size_t i = 0; i < model->texture_count; i++) {
         free(model->textures[i].name);

@@ -43,7 +43,10 @@ struct model_material {
     double diffuse[3], specular[3], ka, kd, ks, shininess;
     bool flat, two_sided;
     int texture, bump; /* -1: none */
-    char *picture;     /* the file of the texture that a model names, as it names it, until it has been read; or null */
+    /* Until the texture that a model names has been read: */
+    char *picture;   /* its file, as the model names it, or what it is called inside the model; or null */
+    uint8_t *inside; /* what would be the file, of the first material that has a picture from inside the model */
+    size_t inside_size;
 };
 
 /* Colours, as read or made; packing brings it to powers of two. */

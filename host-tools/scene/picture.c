@@ -11,6 +11,18 @@
 #include <string.h>
 #include <strings.h>
 
+/* The image becomes a texture of this name. */
+static int add_picture(struct model *model, const char *name, const struct image *image)
+{
+    struct model_texture *texture = model_add_texture(model, name);
+    texture->format = TEXTURE_RGB565;
+    texture->bilinear = true;
+    texture->width = image->width;
+    texture->height = image->height;
+    texture->rgb = image->rgb;
+    return (int)model->texture_count - 1;
+}
+
 int picture_load(struct model *model, const char *path, int *index)
 {
     struct image image;
@@ -20,16 +32,14 @@ int picture_load(struct model *model, const char *path, int *index)
     int code = import_check_readable(path);
     if (!code)
         code = image_read_png(path, &image);
-    if (code)
-        return code;
-    struct model_texture *texture = model_add_texture(model, path);
-    texture->format = TEXTURE_RGB565;
-    texture->bilinear = true;
-    texture->width = image.width;
-    texture->height = image.height;
-    texture->rgb = image.rgb;
-    *index = (int)model->texture_count - 1;
-    return 0;
+    if (!code)
+        *index = add_picture(model, path, &image);
+    return code;
+}
+
+static void drawn_without(const char *model_path)
+{
+    fprintf(stderr, "%s: warning: drawn without this texture\n", model_path);
 }
 
 void picture_beside(const char *model_path, const char *name, struct model *model, int *index)
@@ -45,8 +55,23 @@ void picture_beside(const char *model_path, const char *name, struct model *mode
     if (!ending || strcasecmp(ending, ".png") != 0)
         fprintf(stderr, "%s: warning: no texture: only PNG files are read\n", path);
     else if (picture_load(model, path, index) != 0)
-        fprintf(stderr, "%s: warning: drawn without this texture\n", model_path);
+        drawn_without(model_path);
     free(path);
+}
+
+void picture_inside(const char *model_path, const struct model_material *material, struct model *model, int *index)
+{
+    struct image image;
+    char *name = model_alloc(strlen(model_path) + strlen(material->picture) + sizeof ": image ");
+    sprintf(name, "%s: image %s", model_path, material->picture + 1);
+    *index = model_find_texture(model, name);
+    if (*index < 0 && !material->inside)
+        fprintf(stderr, "%s: warning: no texture: not a picture that is read\n", name);
+    else if (*index < 0 && image_read_png_bytes(name, material->inside, material->inside_size, &image) == 0)
+        *index = add_picture(model, name, &image);
+    else if (*index < 0)
+        drawn_without(model_path);
+    free(name);
 }
 
 /* 0..1 of a cell's corner, by a mixer of its numbers. */

@@ -20,6 +20,9 @@ int picture_load(struct model *model, const char *path, int *index);
  * line on standard error says that the surface is drawn without it, and *index is -1. */
 void picture_beside(const char *model_path, const char *name, struct model *model, int *index);
 
+/* The same for a picture that is inside the model. */
+void picture_inside(const char *model_path, const struct model_material *material, struct model *model, int *index);
+
 /* Fills a texture of size[0] x size[1] texels with cells[0] x cells[1] of a pattern; it repeats. */
 void picture_make(struct model_texture *texture, enum picture_pattern pattern, const unsigned size[2],
                   const unsigned cells[2], double colour[2][3]);

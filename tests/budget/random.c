@@ -45,12 +45,15 @@ static int any_point(const struct scene_header *scene)
 
 static const char *described(const struct scene_header *scene)
 {
-    static char text[128];
+    static char text[256];
+    static const char *const fogs[] = {"", ", linear fog", ", exponential fog"};
     const struct scene_material *m = scene_materials(scene);
-    snprintf(text, sizeof text, "%s, %s viewer, %u lights%s, kd %.2f, ks %.2f, n %u",
+    snprintf(text, sizeof text, "%s, %s viewer, %u lights%s, kd %.2f, ks %.2f, n %u%s%s%s%s",
              scene->camera.kind == CAMERA_PERSPECTIVE ? "perspective" : "orthographic",
              scene->camera.viewer == VIEWER_LOCAL ? "near" : "far", scene->light_count,
-             any_point(scene) ? ", near ones among them" : "", m->kd / 32768., m->ks / 32768., m->shininess);
+             any_point(scene) ? ", near ones among them" : "", m->kd / 32768., m->ks / 32768., m->shininess,
+             m->texture != SCENE_NO_TEXTURE ? ", texture" : "", m->bump != SCENE_NO_TEXTURE ? ", bump map" : "",
+             fogs[scene->fog.kind], m->flags & MATERIAL_TWO_SIDED ? ", two-sided" : "");
     return text;
 }
 
@@ -68,7 +71,9 @@ int main(int argc, char **argv)
         struct measure m;
         measure_open(&m, scene, RANDOM_WIDTH, RANDOM_HEIGHT, format);
         measure_view(&m, (struct budget_view){0, 0, 0});
-        const double phong = LEAST + measured(&m, &glint_phong_perspective, LEAST),
+        /* what it falls back on; a bump map's, auto alone draws */
+        const int bumps = scene_materials(scene)->bump != SCENE_NO_TEXTURE;
+        const double phong = LEAST + measured(&m, bumps ? &glint_auto : &glint_phong_perspective, LEAST),
                      planned = measured(&m, &glint_auto, budget);
         beyond[0] = fmax(beyond[0], phong);
         beyond[1] = fmax(beyond[1], planned);

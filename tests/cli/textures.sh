@@ -34,7 +34,10 @@ matches 'its colours are brought down' "$top/out" 'colours'
 for kind in affine quadratic split perspective; do
     run "coordinates are interpolated $kind" 0 "$glint" render b.glt --texture $kind --hash
 done
+run 'statistics tell how' 0 "$glint" render "$scenes/texture-quad.json" --texture quadratic --stats --hash
+matches 'of each triangle' "$top/out" '^mapped +2 quadratic$'
 run 'in no other way' 2 "$glint" render b.glt --texture cubic --hash
+matches 'and all are told' "$top/err" "'cubic' will not do for --texture KIND: .*affine, .*perspective; default: .* allows$"
 
 fresh
 scene no.png
@@ -88,4 +91,43 @@ printf 'newmtl skin\nKd 1 1 1\nmap_Kd none.png\n' >model.mtl
 "$glint" pack model.obj -o n.glt >"$top/out" 2>"$top/err"
 if [ $? -eq 0 ]; then say ok 'a model is drawn without a texture that is missing'; else say FAIL 'a missing texture stops a model'; fi
 matches 'which is told' "$top/err" '^none\.png: No such file'
+
+# A triangle: places and texture coordinates as floats, the picture named or inside.
+gltf() { # image
+    local one='\0\0\200\077' none='\0\0\0\0'
+    cat >model.gltf <<EOF
+{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "material": 0}]}],
+ "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}], "textures": [{"source": 0}],
+ "images": [{"uri": "$1"}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
+               {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC2"}],
+ "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24}],
+ "buffers": [{"byteLength": 60, "uri": "data:application/octet-stream;base64,$(
+     printf "$none$none$none$one$none$none$none$one$none$none$none$one$none$none$one" | base64 -w 0)"}]}
+EOF
+}
+without() { # name, pattern
+    "$glint" render model.gltf --hash >"$top/out" 2>"$top/err"
+    local code=$?
+    if [ $code -eq 0 ]; then say ok "$1"; else say FAIL "$1" "exit code $code"; fi
+    matches 'which is told' "$top/err" "$2"
+    matches 'with what comes of it' "$top/err" '^model\.gltf: warning: drawn without this texture$'
+}
+gltf skin.png
+run 'glTF brings the file of its texture' 0 "$glint" render model.gltf --hash
+cp "$top/out" beside
+gltf "data:image/png;base64,$(base64 -w 0 skin.png)"
+run 'or the texture itself' 0 "$glint" render model.gltf --hash
+same 'which is drawn alike' "$top/out" beside
+run 'and packed' 0 "$glint" pack model.gltf -o inside.glt
+matches 'under its number' "$top/out" '^texture .*model\.gltf: image 0": 32x32'
+gltf "data:image/png;base64,$(head -c 200 skin.png | base64 -w 0)"
+without 'a picture inside that is cut short is left out' '^model\.gltf: image 0: '
+gltf "data:image/jpeg;base64,$(printf '\377\330\377\340 no PNG' | base64 -w 0)"
+without 'and so is a JPEG' '^model\.gltf: image 0: not a PNG file$'
+: >skin.jpg
+gltf skin.jpg
+"$glint" render model.gltf --hash >"$top/out" 2>"$top/err"
+matches 'beside the model too' "$top/err" '^skin\.jpg: warning: no texture: only PNG files are read$'
 finish

@@ -22,7 +22,7 @@ $qemu "$image" -append "$scene $method $bands $tables $frame ${ARGUMENTS-}" -sin
         { pc = "@" $2 } # never a number: 000012e4 would be one
         pc == "@" begin { inside = ++entered == frame }
         inside && pc >= "@" main && pc < "@" main_end { inside = 0 }
-        inside { count[$2]++ }
+        inside && /^Trace/ { count[$2]++ } # not "Stopped execution", which -icount brings
         END { for (pc in count) print pc, count[pc] }' | sort >"$out.pc"
 [ -s "$out.pc" ] || { echo "profile: nothing was counted" >&2; exit 1; }
 

@@ -59,6 +59,7 @@ suite-core: $(BENCH_ELF) $(SIZE_ELF)
 
 # Scenes, and parts of the random ones, side by side.
 BUDGET_BIN := $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/budget/*.c))
+-include $(BUDGET_BIN:=.d)
 BUDGET_SCENES := $(wildcard tests/scenes/*.json tests/golden/*.json)
 BUDGET_RANDOM := 0 5000 10000 15000
 suite-budget: $(BUDGET_BIN)

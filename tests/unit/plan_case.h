@@ -86,7 +86,7 @@ static inline void plan_case_material(struct plan_case *c, double budget)
     c->surface = (struct plan_surface){.power = &c->power,
                                        .budget = (uint16_t)(budget * 256),
                                        .highlights = 1,
-                                       .duff_bend = 32768,
+                                       .duff_sum = 65535,
                                        .foot = (int16_t)(16384 - (16384 >> c->power.octave))};
     c->surface.lights = (uint8_t)(random_fraction() < .7 ? 1 : random_between(2, PLAN_CASE_LIGHTS));
     c->rest = 255 * random_real(.3, 1);
@@ -146,6 +146,19 @@ static inline double plan_case_value(const struct plan_case *c, const double dot
     return way == PLAN_CASE_LINEAR ? linear : way == PLAN_CASE_SIX ? linear + bent : linear / sqrt(fmax(square, 1e-12));
 }
 
+/* The same by normals as long as their corners are close (duff in perspective), at a point of the screen. */
+static inline double plan_case_weighted(const struct plan_case *c, const double dot[3], const double b[3])
+{
+    double linear = 0, square = 0;
+    for (int k = 0; k < 3; k++) {
+        const int next = (k + 1) % 3;
+        const double s = c->closeness[k] * b[k], t = c->closeness[next] * b[next];
+        linear += dot[k] * s;
+        square += s * s + 2 * s * t * (1 - 2 * c->bend[k]);
+    }
+    return linear / sqrt(fmax(square, 1e-12));
+}
+
 static inline double plan_case_truth(const struct plan_case *c, const double space[3])
 {
     double dots[PLAN_CASE_LIGHTS][2];
@@ -178,7 +191,9 @@ static inline double plan_case_planned(const struct plan_case *c, const struct s
         for (int d = 0; d < 2; d++) {
             const int shown = (d ? plan->specular : plan->diffuse) >> l & 1,
                       bent = (d ? plan->specular_bent : plan->diffuse_bent) >> l & 1;
-            dots[l][d] = plan->rung == PLAN_DUFF ? plan_case_value(c, c->dot[l][d], b, PLAN_CASE_TRUE)
+            dots[l][d] = plan->rung == PLAN_DUFF && c->triangle.shift && !plan->undivided
+                             ? plan_case_weighted(c, c->dot[l][d], b)
+                         : plan->rung == PLAN_DUFF ? plan_case_value(c, c->dot[l][d], b, PLAN_CASE_TRUE)
                          : shown ? plan_case_value(c, c->dot[l][d], b, bent ? PLAN_CASE_SIX : PLAN_CASE_LINEAR)
                                  : 0;
         }

@@ -27,9 +27,11 @@ struct scene_case {
     struct scene_light light[SCENE_MAX_LIGHTS];
     struct scene_object object[SCENE_MAX_OBJECTS];
     unsigned mesh_count, material_count, light_count, object_count;
-    const uint16_t *texels;       /* of material 0, RGB565, or null */
-    struct scene_texture texture; /* their size and flags */
-    const int16_t (*uvs)[2];      /* of mesh 0, or null */
+    const uint16_t *texels;               /* of material 0, RGB565, or null */
+    const int8_t (*bumps)[2];             /* its bump map, or null */
+    struct scene_texture texture, bump;   /* their size and flags; a bump map's steepness */
+    const int16_t (*uvs)[2];              /* of mesh 0, or null */
+    const struct scene_tangent *tangents; /* of mesh 0, or null */
 };
 
 /* One mesh, yet without triangles, of extent 1 unit; one white material; one light along +z; one object at the origin,
@@ -90,16 +92,35 @@ static inline void *scene_case_take(struct scene_header *blob, uint32_t *offset,
     return at;
 }
 
-static inline void scene_case_texture(struct scene_header *blob, const struct scene_case *c,
-                                      struct scene_material *material)
+static inline size_t scene_case_texels(const struct scene_texture *texture)
 {
-    const size_t count = (size_t)1 << (c->texture.log2_width + c->texture.log2_height);
-    struct scene_texture *texture = scene_case_take(blob, &blob->textures, 1, sizeof *texture, &c->texture);
-    texture->format = TEXTURE_RGB565;
-    scene_case_take(blob, &texture->texels, count, sizeof *c->texels, c->texels);
-    texture->contrast = texel_contrast(blob, texture);
-    blob->texture_count = 1;
-    material->texture = 0;
+    return (size_t)1 << (texture->log2_width + texture->log2_height);
+}
+
+static inline void scene_case_textures(struct scene_header *blob, const struct scene_case *c,
+                                       struct scene_material *material)
+{
+    const size_t count = (c->texels != NULL) + (c->bumps != NULL);
+    struct scene_texture *texture = scene_case_take(blob, &blob->textures, count, sizeof *texture, NULL);
+    blob->texture_count = (uint16_t)count;
+    if (c->texels) {
+        material->texture = 0;
+        *texture = c->texture;
+        texture->format = TEXTURE_RGB565;
+        scene_case_take(blob, &texture->texels, scene_case_texels(texture), sizeof *c->texels, c->texels);
+        texture->contrast = texel_contrast(blob, texture);
+        texture++;
+    }
+    if (c->bumps) {
+        material->bump = (uint16_t)(count - 1);
+        *texture = c->bump;
+        texture->format = TEXTURE_BUMP8;
+        scene_case_take(blob, &texture->texels, scene_case_texels(texture), sizeof *c->bumps, c->bumps);
+        uint16_t *rise = scene_case_take(blob, &texture->palette, TEXTURE_RISES, sizeof *rise, NULL);
+        for (uint32_t i = 0; i < TEXTURE_RISES; i++)
+            rise[i] = texel_rise(texture->steepness, i);
+        texture->contrast = texel_contrast(blob, texture);
+    }
 }
 
 /* The blob, checked; to be freed by the caller. */
@@ -108,10 +129,10 @@ static inline struct scene_header *scene_case_blob(const struct scene_case *c)
     size_t size = sizeof(struct scene_header) + 4 * sizeof(struct scene_mesh) + sizeof c->object + sizeof c->light +
                   4 * (sizeof(struct scene_material) + sizeof(struct fx_power)) + 64;
     for (unsigned i = 0; i < c->mesh_count; i++)
-        size += (c->mesh[i].vertex_count * (sizeof(struct scene_vertex) + 4)) +
+        size += (c->mesh[i].vertex_count * (sizeof(struct scene_vertex) + sizeof(struct scene_tangent) + 4)) +
                 (c->mesh[i].triangle_count * sizeof(struct scene_triangle)) + 8;
-    if (c->texels)
-        size += sizeof c->texture + ((size_t)2 << (c->texture.log2_width + c->texture.log2_height));
+    for (int i = 0; i < 2; i++)
+        size += sizeof c->texture + 2 * (scene_case_texels(i ? &c->bump : &c->texture) + TEXTURE_RISES) + 8;
     struct scene_header *blob = calloc(1, size);
     assert_non_null(blob);
     *blob = c->head;
@@ -132,8 +153,7 @@ static inline struct scene_header *scene_case_blob(const struct scene_case *c)
         material[i].texture = material[i].bump = SCENE_NO_TEXTURE;
         fx_power_build(&power[i], material[i].shininess);
     }
-    if (c->texels)
-        scene_case_texture(blob, c, material);
+    scene_case_textures(blob, c, material);
     struct scene_mesh *mesh = scene_case_take(blob, &blob->meshes, c->mesh_count, sizeof *mesh, NULL);
     for (unsigned i = 0; i < c->mesh_count; i++) {
         const struct scene_case_mesh *from = &c->mesh[i];
@@ -144,6 +164,8 @@ static inline struct scene_header *scene_case_blob(const struct scene_case *c)
         scene_case_take(blob, &mesh[i].triangles, from->triangle_count, sizeof *from->triangles, from->triangles);
         if (c->uvs && i == 0)
             scene_case_take(blob, &mesh[i].uvs, from->vertex_count, sizeof *c->uvs, c->uvs);
+        if (c->tangents && i == 0)
+            scene_case_take(blob, &mesh[i].tangents, from->vertex_count, sizeof *c->tangents, c->tangents);
     }
     blob->effects = scene_effects(blob) | USES_CLIPPING;
     blob->crc = scene_crc32(0, (const uint8_t *)blob + 16, blob->length - 16);

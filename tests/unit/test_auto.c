@@ -142,6 +142,22 @@ static void each_rung_is_taken_somewhere(void **state)
     assert_true(hidden && dropped && straight && undivided);
 }
 
+/* Mixtures of bump maps, fog and plain triangles, what counts is a triangle's own. */
+static void what_is_counted_is_of_the_triangle_itself(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < SCENES; i++) {
+        struct glint_stats s;
+        uint32_t linear = 0, drawn = 0, lights = ((const struct scene_header *)scenes[i].scene)->light_count;
+        free(frame_case_picture(by_auto(GLINT_GREY8, 2), scenes[i].scene, 0, &s));
+        for (int m = 0; m < GLINT_METHODS; m++)
+            drawn += s.drawn[m];
+        linear = s.drawn[GLINT_LINEAR] + s.drawn[GLINT_SIX];
+        assert_in_range(s.straightened, 0, 2 * lights * linear);
+        assert_in_range(s.hidden_lights, 0, lights * (drawn - s.fogged_wholly));
+    }
+}
+
 static void a_light_that_reaches_nothing_is_computed_nowhere(void **state)
 {
     (void)state;
@@ -209,6 +225,7 @@ int main(void)
         cmocka_unit_test(a_budget_counts_from_the_next_frame_on),
         cmocka_unit_test(more_budget_takes_plainer_methods),
         cmocka_unit_test(each_rung_is_taken_somewhere),
+        cmocka_unit_test(what_is_counted_is_of_the_triangle_itself),
         cmocka_unit_test(a_light_that_reaches_nothing_is_computed_nowhere),
         cmocka_unit_test(a_worker_counts_what_is_left_out),
         cmocka_unit_test(a_picture_of_the_plan_counts_as_the_plan),
