@@ -108,6 +108,7 @@ FX_COLD int glint_frame_begin(struct glint_frame *f, const void *scene, uint32_t
 FX_COLD static void gather_piece(struct raster *r, const struct clipped_triangle *piece)
 {
     struct shade_input *in = &r->input;
+    in->piece = piece;
     for (int k = 0; k < 3; k++) {
         in->place[k] = piece->place[SHADE_TURN(k)];
         const uint16_t *const weight = piece->weight[SHADE_TURN(k)];
@@ -116,6 +117,16 @@ FX_COLD static void gather_piece(struct raster *r, const struct clipped_triangle
         r->weight[k][SHADE_TURN(2)] = (uint16_t)((1u << 15) - weight[0] - weight[1]);
     }
     in->weight = (const uint16_t(*)[3])r->weight;
+}
+
+/* What is seen from behind, or was cut. */
+FX_COLD static void gather_kind(struct glint_frame *f, const struct triangle_ref *ref)
+{
+    struct raster *r = f->raster;
+    if (USES(USES_TWO_SIDED) && ref->kind & LIST_TURNED)
+        shade_turn(&r->turned, &r->input, f->config.method->vertex_words);
+    if (USES(USES_CLIPPING) && ref->kind & LIST_CLIPPED)
+        gather_piece(r, &f->clipped[ref->index]);
 }
 
 static void take_material(struct raster *r, const struct scene_header *scene, unsigned material)
@@ -132,16 +143,19 @@ static void take_material(struct raster *r, const struct scene_header *scene, un
     r->input.grey_table = r->surface_table != 0 && raster_is(r, GLINT_GREY8);
 }
 
+FX_COLD static unsigned source_of(const struct glint_frame *f, const struct triangle_ref *ref)
+{
+    return f->clipped[ref->index].source;
+}
+
 /* Turns a listed triangle into the rasteriser's input: corners 0, 2, 1, which is clockwise with y down. */
 static void gather(struct glint_frame *f, const struct triangle_ref *ref)
 {
     struct raster *r = f->raster;
     struct shade_input *in = &r->input;
     const struct object_state *object = &f->objects[ref->object];
-    const struct clipped_triangle *piece =
-        USES(USES_CLIPPING) && ref->kind & LIST_CLIPPED ? &f->clipped[ref->index] : 0;
     const struct scene_triangle *triangle = scene_at(f->scene, object->mesh->triangles);
-    triangle += piece ? piece->source : ref->index;
+    triangle += USES(USES_CLIPPING) && ref->kind & LIST_CLIPPED ? source_of(f, ref) : ref->index;
     in->object = object;
     in->triangle = triangle;
     in->vertices = scene_at(f->scene, object->mesh->vertices);
@@ -150,7 +164,7 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     if (USES(USES_BUMP))
         in->tangents = scene_at(f->scene, object->mesh->tangents);
     in->weight = 0;
-    in->piece = piece;
+    in->piece = 0;
     /* Once a triangle and worth unrolling. */
     const uint32_t stride = f->vertex_stride;
     int16_t *records = list_record(f, object->first_vertex), *corner = records + triangle->corner[0] * stride;
@@ -164,10 +178,8 @@ static void gather(struct glint_frame *f, const struct triangle_ref *ref)
     in->lights[2] = corner + VERTEX_LIGHTS;
     if (r->surface_material != triangle->material)
         take_material(r, f->scene, triangle->material);
-    if (USES(USES_TWO_SIDED) && ref->kind & LIST_TURNED)
-        shade_turn(&r->turned, in, f->config.method->vertex_words);
-    if (piece)
-        gather_piece(r, piece);
+    if (USES(USES_TWO_SIDED | USES_CLIPPING) && ref->kind)
+        gather_kind(f, ref);
 }
 
 static inline uint32_t bits(unsigned set)
@@ -221,8 +233,6 @@ static void draw_triangle(struct glint_frame *f, const struct triangle_ref *ref)
     plane_linear(&setup->plane, depth, &setup->depth);
     setup->found[0] = setup->found[1] = setup->found[2] = 0;
     method->setup(setup, in);
-    if (USES(USES_FOG) && raster_effects(r) & USES_FOG)
-        fogged_setup(r, method);
     f->stats.pixels[method->id] += raster_effects(r) ? effects_triangle(r, &edges, method) : method->draw(r, &edges);
     if (ref->first < r->y0)
         return; /* counted with the band above */

@@ -6,10 +6,10 @@
 #include "raster/raster.h"
 
 /* Notes a triangle to be drawn if it faces the eye, or has two sides, and covers a pixel's row and column of the
- * picture.
- */
-static inline void list_triangle(struct glint_frame *f, const int16_t *const p[3], unsigned object, unsigned index,
-                                 unsigned kind, int two_sided)
+ * picture. A template: for a whole mesh one side is constant. */
+static inline __attribute__((always_inline)) void list_triangle(struct glint_frame *f, const int16_t *const p[3],
+                                                                unsigned object, unsigned index, unsigned kind,
+                                                                int two_sided)
 {
     /* Differences of |p| <= GUARD are at most 2^15: products 2^30, the determinant at most 2^30. Front faces are
      * counter-clockwise with y up, so negative with y down. */

@@ -7,7 +7,7 @@
 _Static_assert(sizeof(struct triangle_ref) == 8, "a listed triangle");
 _Static_assert(sizeof(struct clipped_triangle) == 40, "a piece made by clipping");
 _Static_assert(sizeof(void *) > 4 || GLINT_USES != USES_ALL ||
-                   (sizeof(struct object_state) == 248 && sizeof(struct raster) == 3564 && sizeof(struct table) == 28),
+                   (sizeof(struct object_state) == 248 && sizeof(struct raster) == 3560 && sizeof(struct table) == 28),
                "an object, the working state, a table's head");
 
 static size_t words(size_t bytes)

@@ -5,9 +5,9 @@
 
 #define WIDTH     320u
 #define HEIGHT    240u
-#define BAND_ROWS 24u            /* a band takes 15,360 bytes, its depth as many */
-#define MEMORY    (160u * 1024u) /* bytes: 4000 triangles with a table */
-#define WORKER    (18u * 1024u)  /* bytes: a band's depth and the working state */
+#define BAND_ROWS 24u                              /* a band takes 15,360 bytes, its depth as many */
+#define MEMORY    (160u * 1024u)                   /* bytes: 4000 triangles with a table */
+#define WORKER    (2u * WIDTH * BAND_ROWS + 3584u) /* bytes: a band's depth and the working state, with all effects */
 
 /* A opens the menu, in which X goes from line to line, B and Y change one. */
 static const struct rp2040_button buttons[] = {{12, HAL_A}, {13, HAL_LEFT}, {14, HAL_DOWN}, {15, HAL_RIGHT}};

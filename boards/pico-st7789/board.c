@@ -4,9 +4,9 @@
 #include "boards/rp2040.h"
 
 #define SIZE      240u
-#define BAND_ROWS 30u            /* a band takes 14,400 bytes, its depth as many */
-#define MEMORY    (160u * 1024u) /* bytes: 4000 triangles with a table */
-#define WORKER    (17u * 1024u)  /* bytes: a band's depth and the working state */
+#define BAND_ROWS 30u                             /* a band takes 14,400 bytes, its depth as many */
+#define MEMORY    (160u * 1024u)                  /* bytes: 4000 triangles with a table */
+#define WORKER    (2u * SIZE * BAND_ROWS + 3584u) /* bytes: a band's depth and the working state, with all effects */
 
 /* The joystick's press and key A do the same. */
 static const struct rp2040_button buttons[] = {

@@ -3,9 +3,9 @@
 #include "boards/rp2040.h"
 
 #define SIZE      240u
-#define BAND_ROWS 30u            /* a band takes 14,400 bytes, its depth as many */
-#define MEMORY    (160u * 1024u) /* bytes: 4000 triangles with a table */
-#define WORKER    (17u * 1024u)  /* bytes: a band's depth and the working state */
+#define BAND_ROWS 30u                             /* a band takes 14,400 bytes, its depth as many */
+#define MEMORY    (160u * 1024u)                  /* bytes: 4000 triangles with a table */
+#define WORKER    (2u * SIZE * BAND_ROWS + 3584u) /* bytes: a band's depth and the working state, with all effects */
 
 static const struct rp2040_button buttons[] = {
     {23, HAL_UP}, {20, HAL_DOWN}, {22, HAL_LEFT}, {21, HAL_RIGHT}, {18, HAL_A}, {19, HAL_B}, {17, HAL_X}, {16, HAL_Y},

@@ -82,6 +82,8 @@ static __attribute__((noinline)) int choose_kind(struct raster *r, const struct 
 uint32_t effects_triangle(struct raster *r, struct edges *e, const struct glint_method *method)
 {
     int splits = 0;
+    if (USES(USES_FOG) && (r->effects & USES_FOG))
+        fogged_setup(r, method);
     if (USES(USES_TEXTURE) && (r->effects & USES_TEXTURE))
         splits = choose_kind(r, method);
     if (!method->run)

@@ -60,9 +60,11 @@ struct raster {
     uint32_t stride;
     struct split_limits split;
     uint8_t *pixels;
-    uint16_t *depth; /* of the band, width a row */
+    uint16_t *depth;  /* of the band, width a row */
+    struct fog fog;   /* its kind is asked for of each triangle: near the beginning, as `effects` */
+    uint32_t effects; /* what the triangle in hand asks for at each pixel besides lighting: USES_TEXTURE, USES_FOG */
+    uint32_t surface_effects; /* what its surface does: USES_TEXTURE */
     struct palette palette;
-    struct fog fog;
     uint16_t fog_colour[3]; /* Q8 steps */
     uint16_t fog_allowed;   /* error that may be added, Q16 of full intensity */
     uint8_t fog_planned;    /* by auto: it is part of input.plan */
@@ -87,8 +89,6 @@ struct raster {
             int16_t place[CLIP_MAX_CORNERS][3];
         } begin;
     };
-    uint32_t surface_effects;  /* what the surface in hand asks for at each pixel besides lighting: USES_TEXTURE */
-    uint32_t effects;          /* what the triangle does: that, and USES_FOG */
     struct uv_corners corners; /* of a triangle whose texture coordinates are split: split.h */
     uint16_t weight[3][3];
     struct shade_turned turned;

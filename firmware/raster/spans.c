@@ -14,6 +14,8 @@ FX_WRAPS void spans_highlight(struct raster *r)
     p->f <<= octave;
     p->d <<= octave;
     p->e <<= octave;
+    if (!setup->quadratic)
+        return;
     p->a <<= octave;
     p->b <<= octave;
     p->c <<= octave;

@@ -49,13 +49,15 @@ FX_WRAPS static inline uint32_t spans_by_hand(struct raster *r, struct edges *e,
     const uintptr_t pixels = (uintptr_t)r->pixels, depth = (uintptr_t)r->depth;
     const int by_pixels = SPANS_BY_HAND == 2;
     const uint32_t stride = by_pixels ? r->width : 2u * r->width;
-    struct spans_hand rows = {.channel = &setup->depth,
-                              .row = (uint8_t *)(by_pixels ? pixels : depth) + (uint32_t)(e->row - r->y0) * stride,
-                              .stride = stride,
-                              .j = (uint32_t)(e->row - setup->plane.oy),
-                              .ox = (uint32_t)setup->plane.ox,
-                              .table = look->table,
-                              .to_other = by_pixels ? depth - 2 * pixels : pixels - (grey ? depth / 2 : depth)};
+    struct spans_hand rows; /* not all of it 0 first, which compilers call memset() for, a triangle each */
+    rows.channel = &setup->depth;
+    rows.row = (uint8_t *)(by_pixels ? pixels : depth) + (uint32_t)(e->row - r->y0) * stride;
+    rows.stride = stride;
+    rows.j = (uint32_t)(e->row - setup->plane.oy);
+    rows.ox = (uint32_t)setup->plane.ox;
+    rows.table = look->table;
+    rows.to_other = by_pixels ? depth - 2 * pixels : pixels - (grey ? depth / 2 : depth);
+    rows.covered = rows.hidden = 0;
     if (lengths) {
         rows.second = 2 * setup->channel[SHADE_SQUARE].p.a;
         rows.inverse = spans_length;

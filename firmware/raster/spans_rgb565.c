@@ -35,15 +35,17 @@ uint32_t spans_rgb565_colours(struct raster *r, struct edges *e)
 FX_WRAPS uint32_t spans_rgb565_dots(struct raster *r, struct edges *e)
 {
     struct shade_setup *setup = &r->setup;
-    const struct spans_look look = {.table = r->surface_table->entry, .down = 23u - r->surface.power->octave};
-    if (!shade_specular(setup) && !setup->diffuse_lights)
-        return spans_rgb565_constant(r, e, look.table[0]);
-    if (shade_specular(setup))
-        spans_highlight(r);
+    struct spans_look look = {.table = r->surface_table->entry};
     setup->channel[0].p.f += 1u << 23; /* N.L rounded to the table's steps: half a step more */
-    if (!shade_specular(setup))
+    if (!shade_specular(setup)) {
+        if (!setup->diffuse_lights)
+            return spans_rgb565_constant(r, e, look.table[0]);
         return setup->quadratic ? diffuse_quadratic(r, e, &look) : diffuse(r, e, &look);
-    if (setup->wide)
+    }
+    spans_highlight(r);
+    if (setup->wide) {
+        look.down = 23u - r->surface.power->octave;
         return both_wide(r, e, &look);
+    }
     return setup->quadratic ? both_quadratic(r, e, &look) : both(r, e, &look);
 }

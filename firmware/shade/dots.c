@@ -114,6 +114,7 @@ void dots_setup(struct shade_setup *setup, const struct shade_input *in, const s
     const int folds = form && form->fold && factors->are_dots && !perspective && !in->tabled;
     for (unsigned left = surface_lights(s); left > 0; left--) { /* the first last: is it alone? */
         const unsigned i = left - 1;
+        const int alone = !i && shade_alone(setup);
         struct dots_samples samples;
         uint8_t *const shown[2] = {&setup->diffuse_lights, &setup->specular_lights};
         dots_sample(in, i, &samples);
@@ -129,8 +130,8 @@ void dots_setup(struct shade_setup *setup, const struct shade_input *in, const s
             if (!dots_show(setup, in, i, which, range, bend, form != 0, &error))
                 continue;
             *shown[which] |= (uint8_t)(1u << i);
-            const int in_steps = !which && factors->folds && steps_apply(setup, s) && !perspective;
-            interpolate(setup, in, 2 * i + which, error < dots_limit(setup, s, i), samples.corner[which], bulge,
+            const int in_steps = !which && alone && factors->folds && surface_fold(s) && !perspective;
+            interpolate(setup, in, 2 * i + which, error < dots_limit(s, alone), samples.corner[which], bulge,
                         perspective, which && folds ? form : 0, range, bend, in_steps);
         }
     }

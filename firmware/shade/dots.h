@@ -91,9 +91,11 @@ static inline __attribute__((always_inline)) int dots_show(struct shade_setup *s
 {
     const struct surface *s = in->surface;
     int32_t top = range.high + bend, floor = highlight && !form ? bounds_power_floor(s->power) : 1;
+    *error = 0;                                 /* steps in Q8 at full intensity times a Q14 bend: below 2^16 * 2^16 */
+    if (top < floor && (!in->no_plan || light)) /* of the others it matters that they do not show */
+        return 0;
     const int deep = highlight && (form ? range.low - bend < -32768 + 257 : dots_deep(s->power, range, bend));
-    *error = 0; /* steps in Q8 at full intensity times a Q14 bend: below 2^16 * 2^16 */
-    if (top < floor && (!in->no_plan || deep || light)) /* of the others it matters that they do not show */
+    if (top < floor && deep)
         return 0;
     if (highlight && USES(USES_FORMATS & ~USES_GREY4))
         setup->wide |= (uint8_t)dots_wide(s->power, range, bend);
@@ -108,10 +110,10 @@ static inline __attribute__((always_inline)) int dots_show(struct shade_setup *s
     return 1;
 }
 
-/* The change, in Q8 steps, below which a light's bend is left out. */
-static inline uint32_t dots_limit(const struct shade_setup *setup, const struct surface *s, unsigned light)
+/* The change, in Q8 steps, below which the bend of a light is left out that is the first, no other showing, or not. */
+static inline uint32_t dots_limit(const struct surface *s, int alone)
 {
-    return !light && shade_alone(setup) ? 128 : s->bend_limit;
+    return alone ? 128 : s->bend_limit;
 }
 
 /* Fills channels 2 l and 2 l + 1 of each light that can show, linear where the bend cannot; perspective-correct if

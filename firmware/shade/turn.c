@@ -27,7 +27,7 @@ void shade_turn(struct shade_turned *turned, struct shade_input *in, unsigned wo
             to->position[i] = from->position[i];
             to->normal[i] = (q14_t)-from->normal[i]; /* |n| <= 2^14 (1 + 2^-13) */
         }
-        for (int i = 0; i < 2 && in->object->mesh->uvs; i++)
+        for (int i = 0; USES(USES_TEXTURE | USES_BUMP) && i < 2 && in->object->mesh->uvs; i++)
             turned->uv[SHADE_TURN(k)][i] = in->uvs[source->corner[k]][i];
         if (USES(USES_BUMP) && in->object->mesh->tangents) {
             const struct scene_tangent *frame = &in->tangents[source->corner[k]];

@@ -16,10 +16,11 @@ static void bulges(const int32_t value[3], const struct scene_triangle *triangle
     out[2] = -(((value[2] + value[0]) * triangle->bend[0]) >> 2);
 }
 
-/* One dot product of a light over the triangle, where it can show. Returns 0 if not. Twice a triangle and light, with
- * `highlight` constant. */
+/* One dot product of a light over the triangle, where it can show. Returns 0 if not. A template for the first light,
+ * with `light` and `highlight` constant. `alone`: no other light shows. */
 static inline __attribute__((always_inline)) int interpolate(struct shade_setup *setup, const struct shade_input *in,
-                                                             unsigned light, unsigned highlight, int32_t curl)
+                                                             unsigned light, unsigned highlight, int32_t curl,
+                                                             int alone)
 {
     struct channel *channel = &setup->channel[2 * light + highlight];
     int32_t value[3], bulge[3];
@@ -30,13 +31,13 @@ static inline __attribute__((always_inline)) int interpolate(struct shade_setup 
     const int32_t bend = bounds_bend(range, curl);
     if (!dots_show(setup, in, light, highlight, range, bend, 0, &error))
         return 0;
-    int linear = error < dots_limit(setup, in->surface, light);
+    int linear = error < dots_limit(in->surface, alone);
     if (!linear || shade_weight(in)) {
         bulges(value, in->triangle, bulge);
         if (shade_weight(in))
             piece_quadratic(shade_weight(in), value, bulge);
     }
-    if (!highlight && light == 0 && steps_apply(setup, in->surface))
+    if (!highlight && alone && surface_fold(in->surface))
         steps_take(setup, in->surface, range, bend, value, linear ? 0 : bulge);
     if (linear) {
         plane_linear(&setup->plane, value, channel);
@@ -48,6 +49,12 @@ static inline __attribute__((always_inline)) int interpolate(struct shade_setup 
     }
     setup->runs_only |= (uint8_t)channel->exact;
     return 1;
+}
+
+static __attribute__((noinline)) int interpolate_other(struct shade_setup *setup, const struct shade_input *in,
+                                                       unsigned light, unsigned highlight, int32_t curl)
+{
+    return interpolate(setup, in, light, highlight, curl, 0);
 }
 
 static void factors_of(const struct shade_input *in, struct dots_factors *factors)
@@ -84,11 +91,19 @@ void shade_x(struct shade_setup *setup, const struct shade_input *in)
     }
     int32_t curl = bounds_curl(in->triangle->bend);
     setup->runs_only = setup->depth.exact != 0;
-    for (unsigned left = surface_lights(in->surface); left > 0; left--) { /* the first last: is it alone? */
+    /* The first last, to know whether it is alone. */
+    for (unsigned left = surface_lights(in->surface); USES(USES_SEVERAL_LIGHTS) && left > 1; left--) {
         const unsigned i = left - 1;
-        if (interpolate(setup, in, i, 0, curl))
+        if (interpolate_other(setup, in, i, 0, curl))
             setup->diffuse_lights |= (uint8_t)(1u << i);
-        if (surface_highlights(in->surface) && interpolate(setup, in, i, 1, curl))
+        if (surface_highlights(in->surface) && interpolate_other(setup, in, i, 1, curl))
             setup->specular_lights |= (uint8_t)(1u << i);
     }
+    if (!surface_lights(in->surface))
+        return;
+    const int alone = shade_alone(setup);
+    if (interpolate(setup, in, 0, 0, curl, alone))
+        setup->diffuse_lights |= 1;
+    if (surface_highlights(in->surface) && interpolate(setup, in, 0, 1, curl, alone))
+        setup->specular_lights |= 1;
 }

@@ -3,6 +3,8 @@
 # What scenes need of the renderer, as pack and info say it.
 . tests/cli/check.inc
 torus=$scenes/torus288.json
+method_list=$(realpath tests/tools/method_list.sh)
+methods=$(realpath firmware/methods.c)
 
 needs() { # NAME SCENE EFFECTS
     run "info of $1" 0 "$glint" info "$scenes/$2.json"
@@ -45,4 +47,18 @@ done
 run '--uses wants a scene' 2 "$glint" pack --uses rgb565
 run '--uses writes none' 2 "$glint" pack --uses rgb565 "$torus" -o b.glt
 run '--uses wants scenes that are there' 3 "$glint" pack --uses rgb565 "$torus" no.json
+
+links() { # WANT METHOD...: the methods that a board's program links
+    local want=$1 got
+    shift
+    got=$("$method_list" "$methods" uses.h "$@" | awk -F '"' '/^    \{"/ { printf "%s ", $2 }')
+    if [ "$got" = "$want" ]; then say ok "a program links $want"; else say FAIL "a program links $want" "$got"; fi
+}
+printf '/* methods: flat x duff */\n' >uses.h
+links 'flat x duff '
+links 'x auto ' auto x
+links 'flat duff ' -x
+links 'auto ' x auto -x
+run 'it links none that there is not' 2 "$method_list" "$methods" uses.h nosuch
+run 'and leaves none out' 2 "$method_list" "$methods" uses.h -nosuch
 finish

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# The program in firmware/app for a board: build/<board>/app.elf, with the METHODS that are named, or all.
-# boards/<board>/board.mk gives, as in boards/README.md, CPU_ HAL_ (sources) SCENES_ FORMATS_, and where they differ from what stands
-# below OBJ_ LINK_ EXTRA_ IMAGE_ (ending) RUN_ FLASH_. mps2 and microbit are arm.mk's.
+# The program in firmware/app for a board: build/<board>/app.elf. boards/<board>/board.mk gives, as in boards/README.md, CPU_
+# HAL_ (sources) SCENES_ FORMATS_, and where they differ from what stands below OBJ_ LINK_ EXTRA_ IMAGE_ (ending) RUN_ FLASH_
+# WITHOUT_ (methods that are linked only where METHODS= names them). mps2 and microbit are arm.mk's.
 BOARDS := $(filter-out mps2 microbit,$(patsubst boards/%/board.mk,%,$(wildcard boards/*/board.mk)))
 include boards/rp2040.mk $(BOARDS:%=boards/%/board.mk)
 APP_SRC := $(wildcard firmware/app/*.c)
@@ -30,13 +30,12 @@ empty :=
 set_key = $(subst $(empty) $(empty),+,$(OBJ_$(1)) $(FORMATS_$(1)) $(SCENES_$(1)))
 set_of = $(firstword $(foreach b,$(BOARDS),$(if $(filter $(call set_key,$(1)),$(call set_key,$(b))),$(b)-set)))
 scene_list = $(1:%=$(SCENE_DIR)/%.c)
-# The image $(2) of board $(1), which links the methods $(3), or all that its scenes can use: firmware/methods.c with fewer lines
-# decides. $(4) the
-# scenes, as C; $(5) the renderer's folder, if not the board's.
+# The image $(2) of board $(1), which links the methods $(3), or all that its scenes can use but the board's WITHOUT_:
+# firmware/methods.c with fewer lines decides. $(4) the scenes, as C; $(5) the renderer's folder, if not the board's.
 define app_rule
 $(BUILD)/$(1)/$(2)-methods.c: firmware/methods.c tests/tools/method_list.sh $(BUILD)/$(or $(5),$(call set_of,$(1)))/uses.h always
 	@mkdir -p $$(@D)
-	$$(Q)tests/tools/method_list.sh $$< $(BUILD)/$(or $(5),$(call set_of,$(1)))/uses.h $(3) >$$@.new || { rm $$@.new; exit 2; }; cmp -s $$@.new $$@ && rm $$@.new || mv $$@.new $$@
+	$$(Q)tests/tools/method_list.sh $$< $(BUILD)/$(or $(5),$(call set_of,$(1)))/uses.h $(or $(3),$(WITHOUT_$(1):%=-%)) >$$@.new || { rm $$@.new; exit 2; }; cmp -s $$@.new $$@ && rm $$@.new || mv $$@.new $$@
 $(BUILD)/$(1)/$(2)-scenes.c: tests/tools/scene_list.sh always
 	@mkdir -p $$(@D)
 	$$(Q)tests/tools/scene_list.sh $(basename $(notdir $(4))) >$$@.new; cmp -s $$@.new $$@ && rm $$@.new || mv $$@.new $$@
@@ -72,9 +71,8 @@ $(if $(OWN),$(foreach f,$(OWN_FILES),$(eval $(call own_scene_rule,$(f)))) \
 
 scene_objects = $(patsubst %.c,$(BUILD)/$(OBJ_$(1))/%.o,$(2))
 image_size = tests/tools/image_size.sh $(1) $(BUILD)/$(1)/$(2).elf $(3) $(call scene_objects,$(1),$(4))
-# The most flash that the program may take without its scenes: of all methods that they can use (64 KiB on a Cortex-M3, 74 on an
-# M0+), and of x alone with one scene.
-SIZE_LIMITS := lm3s6965evb:app:65536 lm3s6965evb:app-x:33280 picosystem:app:75776 picosystem:app-x:39936
+# The most flash that the program may take without its scenes: 64 KiB, and of x alone with one scene.
+SIZE_LIMITS := lm3s6965evb:app:65536 lm3s6965evb:app-x:33280 picosystem:app:65536 picosystem:app-x:39936
 size_fields = $(subst :, ,$(1))
 size_scenes = $(if $(filter app-x,$(2)),$(X_SCENE),$(SCENES_$(1)))
 size_check = $(call image_size,$(1),$(2),$(3),$(call scene_list,$(call size_scenes,$(1),$(2))))

@@ -5,7 +5,8 @@
 Frames come from gcc's -fcallgraph-info=su (the .ci files beside the objects under FOLDER/firmware), those of libgcc's
 helpers from the disassembly of FOLDER/bench.elf or FOLDER/golden.elf. A call through a pointer must be declared in the
 --indirect file, one line a caller: `caller: target target ...` (names without the file that gcc puts before a static
-function's; `*` matches any text; `-`: it is never made). Recursion, a frame whose size is not constant and an undeclared pointer
+function's, or of a target with it: `file.c:name`; `*` matches any text; `-`: it is never made; `before > caller: ...` is
+instead of that where `before` is among what has called). Recursion, a frame whose size is not constant and an undeclared pointer
 call are failures. Prints `ok` and `FAIL` lines.
 """
 import argparse
@@ -43,7 +44,7 @@ def read_graph(paths):
 
 def read_indirect(path):
     with open(path, encoding="utf-8") as file:
-        lines = [line.split("#")[0].split(":") for line in file]
+        lines = [line.split("#")[0].split(": ", 1) for line in file]
     return [(line[0].strip(), line[1].split()) for line in lines if len(line) == 2]
 
 
@@ -87,18 +88,28 @@ def read_helpers(images, frames, calls):
 
 
 class Walker:
-    def __init__(self, frames, calls, indirect):
+    """`linked`: the image's symbols; what is not among them is never called. None: all may be."""
+    def __init__(self, frames, calls, indirect, linked=None):
+        self.linked = linked
         self.frames, self.calls, self.indirect = frames, calls, indirect
         self.by_short = {short(name): name for name in frames}
+        self.special = [before.strip() for caller, _ in indirect for before in caller.split(">")[:-1]]
         self.done, self.faults = {}, set()
 
-    def targets(self, name):
+    def among(self, path):
+        """Which patterns that stand before a `>` have called."""
+        return frozenset(p for p in self.special for name in path if fnmatch.fnmatch(short(name), p))
+
+    def targets(self, name, special):
         for target in sorted(self.calls.get(name, ())):
             if target != "__indirect_call":
                 yield target
                 continue
-            wanted = [t for caller, ts in self.indirect if fnmatch.fnmatch(short(name), caller) for t in ts]
-            found = [n for n in self.frames for t in wanted if fnmatch.fnmatch(short(n), t)]
+            lines = [(caller.split(" > "), ts) for caller, ts in self.indirect
+                     if fnmatch.fnmatch(short(name), caller.split(" > ")[-1])]
+            wanted = ([t for caller, ts in lines if caller[0] in special for t in ts] or
+                      [t for caller, ts in lines if len(caller) == 1 for t in ts])
+            found = [n for n in self.frames for t in wanted if fnmatch.fnmatch(n if ":" in t else short(n), "*/" + t if ":" in t else t)]
             if not found and "-" not in wanted:
                 self.faults.add(f"{name}: a call through a pointer whose targets are not declared")
             yield from found
@@ -109,14 +120,17 @@ class Walker:
         if name in path:
             self.faults.add("recursion: " + " > ".join(map(short, path[path.index(name):] + (name,))))
             return 0, ()
-        if name in self.done:
-            return self.done[name]
+        special = self.among(path)
+        if (name, special) in self.done:
+            return self.done[name, special]
+        if self.linked is not None and short(name) not in self.linked:
+            return 0, ()
         if name not in self.frames:
             self.faults.add(f"{name}: called by {short(path[-1]) if path else 'nobody'}, frame unknown")
             return 0, (name,)
-        best = max((self.worst(t, path + (name,)) for t in self.targets(name)), default=(0, ()))
-        self.done[name] = (self.frames[name] + best[0], (name,) + best[1])
-        return self.done[name]
+        best = max((self.worst(t, path + (name,)) for t in self.targets(name, special)), default=(0, ()))
+        self.done[name, special] = (self.frames[name] + best[0], (name,) + best[1])
+        return self.done[name, special]
 
 
 def main():

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Worst-case stack of a whole image: from reset through main(), and on top of it the deepest interrupt.
 
-The objects are those that the linker's map beside IMAGE names, the interrupts what the image's tables of vectors point
+The objects are those that the linker's map beside IMAGE names, of which what was left out does not count, the interrupts what the image's tables of vectors point
 to; see stack.py. All interrupts have one priority, so one at a time comes on top of the program: what the core itself
 stores (32 bytes, 4 more where the stack is not at a multiple of 8) and the handler's own. A fault begins the stack anew.
 The bound must fit the stack that the image reserves. With --measured, the high-water of a run must reach SHARE percent of the
@@ -60,8 +60,8 @@ def main():
     options = parser.parse_args()
     frames, calls, faults = stack.read_graph(objects(options.image))
     stack.read_helpers((options.image,), frames, calls)
-    walker = stack.Walker(frames, calls, stack.read_indirect(options.indirect))
     sized, named = symbols(options.image)
+    walker = stack.Walker(frames, calls, stack.read_indirect(options.indirect), named)
     program, path = walker.worst("start_reset")
     handler, above = max((walker.worst(name) for name in interrupts(options.image, sized)), default=(-ENTRY, ()))
     bound, room = program + ENTRY + handler, named["link_stack_top"] - named["link_stack"]

@@ -8,6 +8,8 @@
 #include "pack_case.h"
 
 #define SCENES      3
+#define TORUS       1 /* of program_scenes[]: nothing of it leaves the view */
+#define TEAPOT      2
 #define BLOB_WORDS  (64 * 1024 / 4)
 #define MEMORY      (200u * 1024u)
 #define BAND_ROWS   20
@@ -125,34 +127,38 @@ static void the_glass_shows_what_the_renderer_draws(void **state)
         }
 }
 
+/* Less memory by a step, which must leave a picture, if a poorer one. */
+static void take_away(uint32_t bytes)
+{
+    assert_true(board.memory_bytes > bytes);
+    board.memory_bytes -= bytes;
+    show_ready(&app);
+    assert_null(app.problem);
+}
+
 static void the_table_is_given_up_first(void **state)
 {
     (void)state;
     begin(GLASS_LARGE, 0, sizeof memory);
-    app.control.scene = 1;
+    app.control.scene = TEAPOT;
     show_ready(&app);
     const struct glint_config whole = app.share.frame.config;
     assert_int_equal(whole.tables, 1);
-    board.memory_bytes = (uint32_t)glint_memory_needed(&whole) - 4;
-    show_ready(&app);
+    assert_true(whole.max_clipped > 64);
+    take_away(board.memory_bytes - (uint32_t)glint_memory_needed(&whole) + 4);
     assert_int_equal(app.share.frame.config.tables, 0);
     assert_int_equal(app.share.frame.config.max_triangles, whole.max_triangles);
     show();
     assert_true(draw(0));
     assert_int_equal(case_wrong(0, 0), 0);
-    while (app.share.frame.config.max_clipped == whole.max_clipped) {
-        board.memory_bytes -= 256;
-        show_ready(&app);
-    }
+    while (app.share.frame.config.max_clipped == whole.max_clipped)
+        take_away(256);
     assert_int_equal(app.share.frame.config.max_clipped, 64);
     assert_int_equal(app.share.frame.config.max_triangles, whole.max_triangles - (whole.max_clipped - 64));
     show();
     assert_int_equal(app.share.frame.stats.dropped, 0);
-    while (app.share.frame.config.max_triangles > 64) {
-        board.memory_bytes -= 256;
-        show_ready(&app);
-        assert_null(app.problem);
-    }
+    while (app.share.frame.config.max_triangles > 64)
+        take_away(256);
     show();
     assert_int_equal(app.share.frame.stats.drawn[GLINT_X], app.share.frame.config.max_triangles);
     assert_true(app.share.frame.stats.dropped > 0);
@@ -161,6 +167,20 @@ static void the_table_is_given_up_first(void **state)
     assert_string_equal(app.problem, "no room for its vertices");
     show();
     assert_true(draw(0) && case_wrong(0, 0) > 0);
+}
+
+static void a_scene_that_is_not_clipped_takes_no_room_for_pieces(void **state)
+{
+    (void)state;
+    begin(GLASS_LARGE, 0, sizeof memory);
+    app.control.scene = TORUS;
+    show_ready(&app);
+    const uint16_t all = app.share.frame.config.max_triangles;
+    assert_int_equal(app.share.frame.config.max_clipped, 0);
+    while (app.share.frame.config.max_triangles == all)
+        take_away(256);
+    assert_int_equal(app.share.frame.config.max_clipped, 0);
+    assert_in_range(app.share.frame.config.max_triangles, all - 256 / 10, all - 1);
 }
 
 /* Pixels of the picture that are not as drawn, outside and inside of columns [0, right), rows [top, bottom). */
@@ -428,6 +448,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_glass_shows_what_the_renderer_draws),
         cmocka_unit_test(the_table_is_given_up_first),
+        cmocka_unit_test(a_scene_that_is_not_clipped_takes_no_room_for_pieces),
         cmocka_unit_test(the_menu_leaves_the_scene_around_it),
         cmocka_unit_test(the_longest_line_of_the_menu_fits),
         cmocka_unit_test(figures_are_at_the_edges),
