@@ -86,8 +86,9 @@ CASE(half_bent, TO_HALF, BUMP_BENT)
 CASE(half_unit, TO_HALF, BUMP_UNIT)
 
 /* The pixels of a mask. */
-RUNS_APART FX_WRAPS static void write_glossy(struct raster *r, uint8_t *pixel, uint32_t mask)
+FX_WRAPS static void write_glossy(struct raster *r, int x, int y, uint32_t mask)
 {
+    uint8_t *pixel = r->pixels + (uint32_t)(y - r->y0) * r->width + x;
     const unsigned octave = r->surface.power->octave;
     const int down = 30 - TABLE_BITS - (int)octave; /* of N'.H' in Q30 to steps of the table */
     const uint32_t foot = (1u << (TABLE_BITS + octave)) - (1u << TABLE_BITS);
@@ -100,8 +101,9 @@ RUNS_APART FX_WRAPS static void write_glossy(struct raster *r, uint8_t *pixel, u
         }
 }
 
-RUNS_APART FX_WRAPS static void write_matt(const struct raster *r, uint8_t *pixel, uint32_t mask)
+FX_WRAPS static void write_matt(struct raster *r, int x, int y, uint32_t mask)
 {
+    uint8_t *pixel = r->pixels + (uint32_t)(y - r->y0) * r->width + x;
     const uint32_t ambient = r->surface.ambient;
     for (const int32_t *value = r->value[0]; mask; mask >>= 1, value++, pixel++)
         if (mask & 1)
@@ -133,27 +135,5 @@ static void shade(struct raster *r, int x, int y, int n)
 
 uint32_t bump_grey(struct raster *r, struct edges *e)
 {
-    const int glossy = shade_specular(&r->setup) != 0;
-    uint32_t drawn = 0;
-    int y = e->row;
-    do {
-        const struct span *span = r->span, *last = span + raster_spans(r, e);
-        for (; span != last; span++, y++)
-            for (int x = span->x0; x < span->x1; x += RUN) {
-                const int n = span->x1 - x < RUN ? span->x1 - x : RUN;
-                const uint32_t mask = raster_visible(r, x, y, n);
-                uint8_t *pixel = r->pixels + (uint32_t)(y - r->y0) * r->width + x;
-                if (!mask)
-                    continue;
-                drawn += (uint32_t)n;
-                for (uint32_t hidden = ~mask & ((1u << n) - 1); hidden; hidden &= hidden - 1)
-                    drawn--;
-                shade(r, x, y, n);
-                if (glossy)
-                    write_glossy(r, pixel, mask);
-                else
-                    write_matt(r, pixel, mask);
-            }
-    } while (e->row < e->last);
-    return drawn;
+    return runs_draw_by(r, e, shade, shade_specular(&r->setup) ? write_glossy : write_matt);
 }
