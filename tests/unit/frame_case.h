@@ -127,4 +127,18 @@ static inline uint8_t *frame_case_picture(struct frame_case f, const void *scene
     return picture;
 }
 
+/* Fails unless the picture that `whole` made is the same in bands of so many rows and with flags added. */
+static inline void frame_case_same(const struct frame_case *whole, const uint8_t *wanted, const void *scene,
+                                   unsigned rows, unsigned flags, const char *name)
+{
+    struct frame_case other = *whole;
+    other.config.band_rows = (uint16_t)rows;
+    other.config.flags |= (uint8_t)flags;
+    uint8_t *picture = frame_case_picture(other, scene, 0, NULL);
+    if (memcmp(picture, wanted, glint_row_bytes(&whole->config) * whole->config.height) != 0)
+        fail_msg("%s: format %d, flags %d differs in bands of %u with flags %u", name, whole->config.format,
+                 whole->config.flags, rows, flags);
+    free(picture);
+}
+
 #endif

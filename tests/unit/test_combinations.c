@@ -228,19 +228,6 @@ static void auto_keeps_its_budget(void **state)
     print_message("up to %.2f of what is allowed\n", tightest);
 }
 
-static void check_same(const struct frame_case *whole, const uint8_t *wanted, const struct scene_header *scene,
-                       unsigned rows, unsigned flags, const char *name)
-{
-    struct frame_case other = *whole;
-    other.config.band_rows = (uint16_t)rows;
-    other.config.flags |= (uint8_t)flags;
-    uint8_t *picture = frame_case_picture(other, scene, 0, NULL);
-    if (memcmp(picture, wanted, glint_row_bytes(&whole->config) * HEIGHT) != 0)
-        fail_msg("%s: format %d, flags %d differs in bands of %u with flags %u", name, whole->config.format,
-                 whole->config.flags, rows, flags);
-    free(picture);
-}
-
 static void neither_bands_nor_the_plan_change_a_pixel(void **state)
 {
     (void)state;
@@ -253,9 +240,9 @@ static void neither_bands_nor_the_plan_change_a_pixel(void **state)
         f.config.tables = (uint8_t)random_between(0, 1);
         f.config.flags = random_between(0, 3) ? 0 : GLINT_DITHER;
         uint8_t *picture = frame_case_picture(f, scene, 0, NULL);
-        check_same(&f, picture, scene, 1, 0, choice->name);
-        check_same(&f, picture, scene, 7, 0, choice->name);
-        check_same(&f, picture, scene, HEIGHT, GLINT_NO_PLAN, choice->name);
+        frame_case_same(&f, picture, scene, 1, 0, choice->name);
+        frame_case_same(&f, picture, scene, 7, 0, choice->name);
+        frame_case_same(&f, picture, scene, HEIGHT, GLINT_NO_PLAN, choice->name);
         free(picture);
         free(scene);
     }

@@ -148,19 +148,6 @@ static void every_method_is_its_ideal_on_random_meshes(void **state)
 static const struct glint_power *const powers[] = {NULL, &glint_power_exact, &glint_power_4, &glint_power_8,
                                                    &glint_power_16};
 
-static void check_same(const struct frame_case *whole, const uint8_t *wanted, const struct scene_header *scene,
-                       unsigned rows, unsigned flags, const char *name)
-{
-    struct frame_case other = *whole;
-    other.config.band_rows = (uint16_t)rows;
-    other.config.flags |= (uint8_t)flags;
-    uint8_t *picture = frame_case_picture(other, scene, 0, NULL);
-    if (memcmp(picture, wanted, glint_row_bytes(&whole->config) * HEIGHT) != 0)
-        fail_msg("%s: format %d, flags %d, n %d differs in bands of %u with flags %u", name, whole->config.format,
-                 whole->config.flags, scene_materials(scene)->shininess, rows, flags);
-    free(picture);
-}
-
 /* Normals up to opposite ones, every exponent's end, every form of the power. */
 static void neither_bands_nor_the_plan_change_a_pixel(void **state)
 {
@@ -176,9 +163,9 @@ static void neither_bands_nor_the_plan_change_a_pixel(void **state)
         f.config.tables = (uint8_t)random_between(0, 1);
         f.config.flags = random_between(0, 3) ? 0 : GLINT_DITHER;
         uint8_t *picture = frame_case_picture(f, scene, 0, NULL);
-        check_same(&f, picture, scene, 1, 0, choice->name);
-        check_same(&f, picture, scene, 7, 0, choice->name);
-        check_same(&f, picture, scene, HEIGHT, GLINT_NO_PLAN, choice->name);
+        frame_case_same(&f, picture, scene, 1, 0, choice->name);
+        frame_case_same(&f, picture, scene, 7, 0, choice->name);
+        frame_case_same(&f, picture, scene, HEIGHT, GLINT_NO_PLAN, choice->name);
         free(picture);
         free(scene);
     }
