@@ -116,7 +116,7 @@ static void a_million_turns_end_where_they_began(void **state)
     uint16_t yaw = 0, pitch = 0;
     for (int i = 0; i < 16 * 65536; i++) { /* more than a million */
         glint_turn(&f.frame, yaw, pitch);
-        yaw++;
+        yaw = (uint16_t)(yaw + 1);
         pitch = (uint16_t)(pitch - 3);
         if (i % 65536 == 30000) { /* the same each time round */
             frame_case_draw(&f, scene.scene, 0);
