@@ -111,9 +111,16 @@ FX_WRAP(64)
 #define fx_wrap_shl(x, up)   ((x) << (up))
 #endif
 
-/* x * 2^up, which fits: of a signed x, whose shift C leaves undefined. */
+/* x * 2^up, which fits, up < 32: of a signed x, whose shift C leaves undefined. */
 #ifdef GLINT_CHECKED
-#define fx_shl(x, up) fx_s32((int64_t)(x) * ((int64_t)1 << (up)))
+#define fx_shl(x, up) fx_shl_checked((x), (up), __FILE__, __LINE__)
+static inline int32_t fx_shl_checked(int32_t x, unsigned up, const char *file, int line)
+{
+    if (up > 31)
+        fx_trap(file, line, "a shift by less than 32", x, up);
+    return (int32_t)fx_fit_signed(x * ((int64_t)1 << (up & 31)), INT32_MIN, INT32_MAX, file, line,
+                                  "int32_t holds x * 2^up");
+}
 #else
 #define fx_shl(x, up) ((int32_t)((uint32_t)(x) << (up)))
 #endif

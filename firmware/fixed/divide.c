@@ -3,7 +3,7 @@
 
 uint64_t fx_divide_u64(uint64_t n, uint64_t d)
 {
-    FX_REQUIRE(n >> 63 == 0 && d > 0 && d >> 63 == 0, n, d);
+    FX_REQUIRE(d > 0, n, d);
     uint64_t quotient = 0, bit = 1;
     for (; d < n && !(d >> 63); d <<= 1)
         bit <<= 1;

@@ -38,11 +38,11 @@ typedef int32_t q28_4_t; /* screen coordinates, 1/16 pixel */
 
 /* A constant num/den in Qn, rounded to nearest, halves away from 0; den > 0. One that does not fit does not compile. */
 #define FX_Q_WIDE(n, num, den) \
-    ((((int64_t)(num) * ((int64_t)2 << (n))) + ((num) < 0 ? -(den) : (den))) / (2 * (int64_t)(den)))
+    (((num)*fx_wrap_s64(2) * (INT64_C(1) << (n)) + ((num) < 0 ? -(den) : (den))) / (2 * fx_wrap_s64(den)))
 #define FX_Q_IN(bits, x) \
-    ((int32_t)(x) + 0 * (int32_t)sizeof(char[(x) >> ((bits)-1) == 0 || (x) >> ((bits)-1) == -1 ? 1 : -1]))
+    (fx_wrap_s32(x) + 0 * fx_wrap_s32(sizeof(char[(x) >> ((bits)-1) == 0 || (x) >> ((bits)-1) == -1 ? 1 : -1])))
 #define FX_Q(n, num, den) FX_Q_IN(32, FX_Q_WIDE(n, num, den))
-#define Q14(num, den)     ((q14_t)FX_Q_IN(16, FX_Q_WIDE(14, num, den)))
+#define Q14(num, den)     fx_wrap_s16(FX_Q_IN(16, FX_Q_WIDE(14, num, den)))
 #define Q15(num, den)     FX_Q(15, num, den)
 #define Q16(num, den)     FX_Q(16, num, den)
 #define Q22(num, den)     FX_Q(22, num, den)
@@ -183,8 +183,8 @@ static inline void fx_divmod_floor(int32_t num, int32_t den, int32_t *quotient, 
 #endif
 }
 
-/* n / d for d != 0, rounded towards 0 as the operator does; |n|, |d| < 2^63. A bit of the quotient at a time: a few a
- * frame, for which libgcc's division by table and halves takes 700 to 1100 bytes more. */
+/* n / d for d != 0, rounded towards 0 as the operator does; with sign, |n|, |d| < 2^63. A bit of the quotient at a
+ * time: a few a frame, for which libgcc's division by table and halves takes 700 to 1100 bytes more. */
 uint64_t fx_divide_u64(uint64_t n, uint64_t d);
 int64_t fx_divide_s64(int64_t n, int64_t d);
 

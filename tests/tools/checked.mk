@@ -7,3 +7,5 @@ $(CHECKED_OBJ): $(BUILD)/obj/%.o: %.c
 	$(Q)$(CC) $(CORE_FLAGS) $(OPT) -g $(CFLAGS) -MMD -MP -c $< -o $@
 $(CORE_LIB) $(BUILD)/tests/unit/test_uses: $(CHECKED_OBJ)
 -include $(CHECKED_OBJ:.o=.d)
+# It brings the renderer's arithmetic along, under the renderer's sanitizers.
+$(BUILD)/tests/unit/test_checked: HOST_FLAGS += $(CORE_CFLAGS)
