@@ -122,7 +122,7 @@ static int is_gouraud(const struct work *w, struct shade_plan *plan)
             return 0;
     }
     const uint32_t dark = w->linear + over, error = (dark > bright ? dark : bright) + turn;
-    plan->error = fx_u16(error);
+    plan->error = fx_wrap_u16(error); /* of no account beyond the budget: another rung's takes its place */
     return error <= s->budget;
 }
 

@@ -68,9 +68,8 @@ RUNS_APART static void table_write(struct raster *r, int x, int y, uint32_t mask
         if (!(mask & 1))
             continue;
         const int32_t h = value[RUN] < foot ? 0 : (value[RUN] - foot) >> (23 - octave);
-        *pixel =
-            r->surface_table
-                ->entry[fx_saturated(fx_u32(h), 7, 0) * TABLE_DIFFUSE + fx_saturated(fx_u32(value[0] + half), 6, 24)];
+        *pixel = r->surface_table->entry[fx_saturated(fx_u32(h), 7, 0) * TABLE_DIFFUSE +
+                                         fx_saturated(fx_wrap_u32(value[0] + half), 6, 24)];
     }
 }
 
