@@ -114,10 +114,11 @@ static inline double exact_off(uint32_t got, exact_t number, exact_t den)
     return (double)off / (double)den;
 }
 
-/* What a polynomial of whole coefficients is at column i, row j of its origin: all of it, then its low 32 bits. */
+/* What a polynomial of whole coefficients is at column i, row j of its origin, |i|, |j| < 2^11: all of it, below 2^55,
+ * then its low 32 bits. */
 static inline uint32_t exact_at(const struct polynomial *p, int i, int j)
 {
-    const exact_t f = (int32_t)p->f, d = (int32_t)p->d, e = (int32_t)p->e, a = (int32_t)p->a, b = (int32_t)p->b,
+    const int64_t f = (int32_t)p->f, d = (int32_t)p->d, e = (int32_t)p->e, a = (int32_t)p->a, b = (int32_t)p->b,
                   c = (int32_t)p->c;
     return (uint32_t)(f + d * i + e * j + a * i * i + b * j * j + c * i * j);
 }
