@@ -10,6 +10,7 @@
 #include <cmocka.h>
 #include <stdlib.h>
 
+#include "exact_rational.h"
 #include "geometry/transform.h"
 #include "raster/fine.h"
 #include "spans_case.h"
