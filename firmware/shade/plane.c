@@ -189,9 +189,10 @@ FX_WRAPS static inline uint32_t moved(int32_t gx, int32_t x, int32_t gy, int32_t
     return fx_wrap_u32(gx) * fx_wrap_u32(x) + fx_wrap_u32(gy) * fx_wrap_u32(y);
 }
 
-/* Where the origin is the centre of corner 0's pixel. Heights are at least 2 pixels, so the second differences are at
- * most 5/4 and 5/2 of 2^30 at the very worst bend; products are taken modulo 2^32, the results fit. */
-void plane_quadratic(const struct plane *plane, const int32_t value[3], const int32_t bulge[3], struct channel *channel)
+/* Where the origin is near the centre of corner 0's pixel. Heights are at least 2 pixels, so the second differences are
+ * at most 5/4 (a, b) and 1.95 (c) of 2^30 at the very worst bends; products are taken modulo 2^32, the results fit. */
+FX_WRAPS void plane_quadratic(const struct plane *plane, const int32_t value[3], const int32_t bulge[3],
+                              struct channel *channel)
 {
     channel->exact = 0;
     if (plane->thin || plane->far) {
@@ -208,13 +209,12 @@ void plane_quadratic(const struct plane *plane, const int32_t value[3], const in
     const int32_t a = second_difference(plane, curve.a, 0), b = second_difference(plane, curve.b, 0),
                   c = second_difference(plane, curve.c, 1), fx = plane->fx, fy = plane->fy;
     struct polynomial *p = &channel->p;
-    fx_wrap_inc(&p->f, fx_wrap_add(fx_wrap_add(fx_wrap_u32((a >> 8) * (fx * fx)), fx_wrap_u32((b >> 8) * (fy * fy))),
-                                   fx_wrap_u32((c >> 8) * (fx * fy))));
-    fx_wrap_inc(&p->d, moved(a >> 3, fx, c >> 4, fy));
-    fx_wrap_inc(&p->e, moved(b >> 3, fy, c >> 4, fx));
-    p->a = fx_wrap_u32(a);
-    p->b = fx_wrap_u32(b);
-    p->c = fx_wrap_u32(c);
+    p->f += fx_u32(a >> 8) * fx_u32(fx * fx) + fx_u32(b >> 8) * fx_u32(fy * fy) + fx_u32(c >> 8) * fx_u32(fx * fy);
+    p->d += fx_u32(a >> 3) * fx_u32(fx) + fx_u32(c >> 4) * fx_u32(fy);
+    p->e += fx_u32(b >> 3) * fx_u32(fy) + fx_u32(c >> 4) * fx_u32(fx);
+    p->a = fx_u32(a);
+    p->b = fx_u32(b);
+    p->c = fx_u32(c);
 }
 
 /* The value at column i, row j of the origin, and the step to the next column. */
