@@ -238,16 +238,11 @@ include tests/tools/faults.mk
 include tests/tools/fuzz.mk
 include tests/tools/checked.mk
 include tests/tools/hard.mk
-
--include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
-
-GOALS := all demo view test test-unit test-hard test-fuzz fuzz test-cli test-models test-budget test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive \
-	bench bench-boards bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-view deps-test deps-linux image run flash install clean help
 include tests/tools/prove.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
-GOALS := all demo view test test-unit test-fuzz fuzz test-cli test-models test-budget test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive prove \
+GOALS := all demo view test test-unit test-hard test-fuzz fuzz test-cli test-models test-budget test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive prove \
 	bench bench-boards bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-view deps-test deps-linux deps-prove image run flash install clean help
 .PHONY: $(GOALS) tool
 # Several are made one after another, also with -j: each calls a make of its own, in the same folder.

@@ -64,8 +64,7 @@ static int32_t stretched(int32_t x, uint32_t factor)
 void dots_quadratic(struct shade_setup *setup, const int32_t value[3], const int32_t bulge[3], struct channel *channel)
 {
     const uint32_t most = PLANE_MOST_BULGE;
-    if (fx_u32(bulge[0]) + most <= 2 * most && fx_u32(bulge[1]) + most <= 2 * most &&
-        fx_u32(bulge[2]) + most <= 2 * most)
+    if (fx_within(bulge[0], most) && fx_within(bulge[1], most) && fx_within(bulge[2], most))
         plane_quadratic(&setup->plane, value, bulge, channel);
     else
         plane_quadratic_large(&setup->plane, value, bulge, channel);

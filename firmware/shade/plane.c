@@ -85,12 +85,12 @@ void plane_setup_quadratic(struct plane *plane)
     plane->far = (fx_wrap_u32((plane->fx + 8) | (plane->fy + 8)) >> 5 | fx_wrap_u32(plane->scale) >> 31) != 0;
 }
 
-/* x * 2^up modulo 2^32, or rounded to nearest for up < 0. */
-static inline uint32_t shifted(int32_t x, int up)
+/* x * 2^up, which fits, or rounded to nearest for up < 0. */
+static inline int32_t shifted(int32_t x, int up)
 {
     if (up >= 0)
-        return fx_wrap_shl(fx_wrap_u32(x), fx_u32(up));
-    return up < -31 ? 0 : fx_wrap_u32((x + fx_s32(1u << (-up - 1))) >> -up);
+        return fx_shl(x, up);
+    return up < -31 ? 0 : (x + fx_s32(1u << (-up - 1))) >> -up;
 }
 
 /* Corner differences d1, d2, |d| < 2^16, across the edges: det * 2^(2 scale) times the gradient, by 2^-scale. */
@@ -180,7 +180,7 @@ static inline int curve_shift(const struct plane *p)
 
 static inline int32_t second_difference(const struct plane *p, int32_t curve, int up)
 {
-    return fx_wrap_s32(shifted(fx_mulhi_s32(curve, p->r2), curve_shift(p) + up));
+    return shifted(fx_mulhi_s32(curve, p->r2), curve_shift(p) + up);
 }
 
 /* By how much a place x, y off changes what has these slopes. */
@@ -191,8 +191,7 @@ FX_WRAPS static inline uint32_t moved(int32_t gx, int32_t x, int32_t gy, int32_t
 
 /* Where the origin is near the centre of corner 0's pixel. Heights are at least 2 pixels, so the second differences are
  * at most 5/4 (a, b) and 1.95 (c) of 2^30 at the very worst bends; products are taken modulo 2^32, the results fit. */
-FX_WRAPS void plane_quadratic(const struct plane *plane, const int32_t value[3], const int32_t bulge[3],
-                              struct channel *channel)
+void plane_quadratic(const struct plane *plane, const int32_t value[3], const int32_t bulge[3], struct channel *channel)
 {
     channel->exact = 0;
     if (plane->thin || plane->far) {
@@ -209,12 +208,13 @@ FX_WRAPS void plane_quadratic(const struct plane *plane, const int32_t value[3],
     const int32_t a = second_difference(plane, curve.a, 0), b = second_difference(plane, curve.b, 0),
                   c = second_difference(plane, curve.c, 1), fx = plane->fx, fy = plane->fy;
     struct polynomial *p = &channel->p;
-    p->f += fx_u32(a >> 8) * fx_u32(fx * fx) + fx_u32(b >> 8) * fx_u32(fy * fy) + fx_u32(c >> 8) * fx_u32(fx * fy);
-    p->d += fx_u32(a >> 3) * fx_u32(fx) + fx_u32(c >> 4) * fx_u32(fy);
-    p->e += fx_u32(b >> 3) * fx_u32(fy) + fx_u32(c >> 4) * fx_u32(fx);
-    p->a = fx_u32(a);
-    p->b = fx_u32(b);
-    p->c = fx_u32(c);
+    fx_wrap_inc(&p->f, fx_wrap_add(moved(a >> 8, fx * fx, b >> 8, fy * fy),
+                                   fx_wrap_mul(fx_wrap_u32(c >> 8), fx_wrap_u32(fx * fy))));
+    fx_wrap_inc(&p->d, moved(a >> 3, fx, c >> 4, fy));
+    fx_wrap_inc(&p->e, moved(b >> 3, fy, c >> 4, fx));
+    p->a = fx_wrap_u32(a);
+    p->b = fx_wrap_u32(b);
+    p->c = fx_wrap_u32(c);
 }
 
 /* The value at column i, row j of the origin, and the step to the next column. */
