@@ -95,7 +95,7 @@ uint32_t spans_grey8_lengths(struct raster *r, struct edges *e)
     }
     const unsigned octave = r->surface.power->octave;
     look.down = 15u - octave;
-    look.foot <<= octave;
+    look.foot = fx_wrap_shl(look.foot, octave);
     fx_wrap_inc(&setup->channel[1].p.f, 1u << (14 - octave));
     return lengths(r, e, &look);
 }

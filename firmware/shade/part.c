@@ -285,7 +285,7 @@ int part_linear(struct shade_setup *setup, const struct shade_input *in, const s
 
 static uint32_t shifted_down(uint32_t x, int down)
 {
-    return fx_u32(fx_s32(x) >> down);
+    return fx_wrap_u32(fx_wrap_s32(x) >> down);
 }
 
 static void scale_down(struct polynomial *p, int down)
