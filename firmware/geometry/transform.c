@@ -157,6 +157,7 @@ int transform_setup(struct transform *out, const struct view *view, const struct
         bits(fx_u64(view->far_plane)) + z_exponent - 16 > 30 ? limit : scaled(fx_s64(view->far_plane), 16 - z_exponent);
     out->near_z = fx_s32(near_z < 1 ? 1 : near_z > limit ? limit : near_z);
     out->far_z = fx_s32(far_z);
+    out->far_z += !out->far_z; /* as near_z, where both planes are nearer than a step of z */
     out->range = fx_u32(out->far_z - out->near_z);
 
     out->divide = view->kind == CAMERA_PERSPECTIVE;
