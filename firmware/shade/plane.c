@@ -85,12 +85,12 @@ void plane_setup_quadratic(struct plane *plane)
     plane->far = (fx_wrap_u32((plane->fx + 8) | (plane->fy + 8)) >> 5 | fx_wrap_u32(plane->scale) >> 31) != 0;
 }
 
-/* x * 2^up, which fits, or rounded to nearest for up < 0. */
+/* x * 2^up, which fits, or rounded to nearest for up < 0; up is -16 at least. */
 static inline int32_t shifted(int32_t x, int up)
 {
     if (up >= 0)
         return fx_shl(x, up);
-    return up < -31 ? 0 : (x + fx_s32(1u << (-up - 1))) >> -up;
+    return (x + (1 << (-up - 1))) >> -up;
 }
 
 /* Corner differences d1, d2, |d| < 2^16, across the edges: det * 2^(2 scale) times the gradient, by 2^-scale. */
