@@ -104,10 +104,10 @@ test-linux: deps-test ## The Linux boards' program on an emulated handheld, judg
 test-usb: deps-test ## Pictures over USB between glint-device and glint-view, with pulled cables and hostile hosts, in that handheld
 	$(Q)tests/tools/run.sh usb
 
-test-sanitize: deps-test ## Unit tests, command line and hashes under clang's sanitizers; firmware/ and hal/ under integer too
+test-sanitize: deps-test ## Unit tests, command line and hashes in checked arithmetic (firmware/fixed/checked.h) under clang's sanitizers
 	$(Q)tests/tools/run.sh sanitize
 
-test-exhaustive: deps-test ## Whole domains of the fixed-point functions (minutes)
+test-exhaustive: deps-test ## Whole domains of the fixed-point functions, and the plan's bounds (half an hour on 2 cores)
 	$(Q)tests/tools/run.sh exhaustive
 
 prove: deps-prove ## Frama-C proofs: no overflow, no access out of bounds, nothing undefined, every statement reached; PROOFS="fixed edges" of some

@@ -4,7 +4,7 @@ LEVELS := O0 O2 Os
 MATRIX := $(foreach c,gcc clang,$(foreach l,$(LEVELS),$(c)-$(l)))
 SANITIZE := -DGLINT_CHECKED -fsanitize=address,undefined,implicit-conversion,float-cast-overflow -fno-sanitize-recover=all \
 	-fno-omit-frame-pointer
-# Unsigned wrap too in the renderer and hal/, where what is meant modulo 2^32 is marked FX_WRAPS.
+# Unsigned wrap too in the renderer and hal/, where what is meant modulo 2^32 is marked (firmware/fixed/checked.h).
 SANITIZE_CORE := -fsanitize=integer -fno-sanitize-recover=all
 BENCH_ELF := $(foreach c,$(CPUS),$(BUILD)/$(c)/bench.elf)
 GOLDEN_LIST := tests/golden/hashes.txt
