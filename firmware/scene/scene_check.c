@@ -254,7 +254,7 @@ static enum scene_fault check_motion(const struct scene_header *s, const struct 
 {
     if (m->kind > MOTION_KEYS || m->reserved != 0 || (m->kind == MOTION_KEYS) != (m->key_count > 0))
         return SCENE_E_RANGE;
-    if (m->kind == MOTION_SPIN && !(unit_ok(m->axis, 3) && in_range(m->rate, 1 - RATE_END, RATE_END)))
+    if (m->kind == MOTION_SPIN && (!unit_ok(m->axis, 3) || !in_range(m->rate, 1 - RATE_END, RATE_END)))
         return SCENE_E_RANGE;
     if (m->kind != MOTION_KEYS)
         return SCENE_OK;

@@ -140,7 +140,7 @@ static int is_straight(const struct shade_setup *setup, const struct shade_input
 {
     const struct surface *s = in->surface;
     return surface_fold(s) && surface_lights(s) == 1 && in->grey_table && !setup->plane.sliver &&
-           !(quadratic && setup->plane.slim) && setup->uv_kind == GLINT_TEXTURE_AFFINE && !s->bump.flags;
+           (!quadratic || !setup->plane.slim) && setup->uv_kind == GLINT_TEXTURE_AFFINE && !s->bump.flags;
 }
 
 /* For that, L' times the material's diffuse light, and x and y of L' and H' times the map's steepness; Q15 factors. */
