@@ -5,7 +5,10 @@ COVER_CC := clang-19
 COVER_FLAGS := -fprofile-instr-generate -fcoverage-mapping -fcoverage-mcdc -Xclang -main-file-name -Xclang $$<
 COVER_APP := $(filter $(BUILD)/obj/firmware/app/%,$(HOST_OBJ))
 COVER_OBJ := $(filter-out %/methods.o,$(CORE_OBJ) $(TEST_USES_OBJ)) $(COVER_APP)
-COVER_RUN := $(UNIT_BIN) $(BUILD)/golden $(foreach t,$(FUZZ_TARGETS),"$(BUILD)/fuzz/$(t) $(FUZZ_CORPUS)/$(t)")
+# Unit tests, hard cases, every picture of the list of hashes, the corpus of the fuzzer, and of `make test-budget` some views.
+COVER_BIN := $(UNIT_BIN) $(HARD_BIN)
+COVER_RUN := $(COVER_BIN) $(BUILD)/golden $(foreach t,$(FUZZ_TARGETS),"$(BUILD)/fuzz/$(t) $(FUZZ_CORPUS)/$(t)") \
+	$(foreach s,$(BUDGET_SCENES),"$(BUILD)/tests/budget/holds --views 2 $(s)") "$(BUILD)/tests/budget/random 0 15000"
 
 # The program of the boards is counted with the renderer.
 $(COVER_APP): LIBRARY_FLAGS = $(if $(COVERAGE),$(CORE_CFLAGS))
@@ -15,12 +18,12 @@ coverage-run: $(SCENE_C) $(FUZZ_SCENE_C)
 		LDFLAGS='$(COVER_FLAGS)' coverage-report
 
 # Counted afresh at each run. Some tests are compiled with sources of firmware/ in them.
-coverage-report: $(UNIT_BIN) $(BUILD)/golden $(FUZZ_BIN)
+coverage-report: $(COVER_BIN) $(BUILD)/golden $(FUZZ_BIN) $(BUDGET_BIN)
 	@rm -rf $(BUILD)/profile
 	@printf '%s\n' $(COVER_RUN) | LLVM_PROFILE_FILE=$(CURDIR)/$(BUILD)/profile/%m.profraw xargs -P "$$(nproc)" -I{} \
 		sh -c '{} >/dev/null 2>&1 || { echo "FAIL {}"; exit 1; }'; status=$$?; \
 	llvm-profdata-19 merge -o $(BUILD)/profile.data $(BUILD)/profile/*.profraw && \
 	python3 tests/tools/coverage.py tests/coverage.txt $(BUILD)/profile.data $(COVER_OBJ) \
-		$$(grep -lE ' (./)?firmware/[^ ]*\.c' $(UNIT_BIN:=.d) | sed 's/\.d$$//') && exit $$status
+		$$(grep -lE ' (./)?firmware/[^ ]*\.c' $(COVER_BIN:=.d) | sed 's/\.d$$//') && exit $$status
 
 .PHONY: coverage-run coverage-report
