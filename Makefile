@@ -74,6 +74,9 @@ test-unit: deps-test ## Unit tests
 test-hard: deps-test ## A million random and a million lattice triangles against their definition in exact numbers, and hard cases by name
 	$(Q)tests/tools/run.sh hard
 
+test-hard-arm: deps-test ## Its finished pixels once more, by the loops that are written by hand for Cortex-M, in qemu-arm (3 minutes)
+	$(Q)tests/tools/run.sh hard-arm
+
 test-fuzz: deps-test ## What `make fuzz` found of interest, given to the parsers of streams again, and that it reaches all their lines
 	$(Q)tests/tools/run.sh fuzz
 
@@ -237,7 +240,7 @@ include tests/tools/hard.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
-GOALS := all demo view test test-unit test-hard test-fuzz fuzz test-cli test-models test-budget test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive \
+GOALS := all demo view test test-unit test-hard test-hard-arm test-fuzz fuzz test-cli test-models test-budget test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive \
 	bench bench-boards bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-view deps-test deps-linux image run flash install clean help
 .PHONY: $(GOALS) tool
 # Several are made one after another, also with -j: each calls a make of its own, in the same folder.
