@@ -10,6 +10,9 @@
 
 #define EACH 1000000
 
+/* What is interpolated: depth; a dot product, linear and bent; whatever 32 bits hold, in 64 bits, linear and bent. */
+enum kind { DEPTH, DOT, BENT, ANY, ANY_BENT, KINDS };
+
 /* The depth at the first covered pixel of the rectangle that is now the picture, whose corner is (left, top) of the
  * picture's: the same bits as in `whole`. */
 static void check_same_value(const struct plane *whole, const struct channel *depth, const int32_t value[3], int left,
@@ -77,21 +80,21 @@ static void check_coefficients(int kind, const struct polynomial *got, const str
 /* What all of it may add up to inside the triangle (plane.c), in display units of Q22: linear 1/64, and beyond 1024
  * pixels what corner differences are rounded by, half of 2 or 4 units of Q14 at each of two; quadratic 1/5 and 3/16, or
  * beyond 1024 pixels 1/2. */
-static void check_error(const struct exact_triangle *t, int kind, double off, int x, int y)
+static void check_error(const struct exact_triangle *t, enum kind kind, double off, int x, int y)
 {
     const int scale = exact_frame(t).scale;
     const double lost = scale < 0 ? ldexp(1, -scale - 1) / 64 : 0, error = fabs(off) * 0x1p-22,
-                 bound = kind < 2 ? 1. / 64 + lost : 1. / 5 + (scale < 0 ? 1. / 2 : 3. / 16);
+                 bound = kind != BENT ? 1. / 64 + lost : 1. / 5 + (scale < 0 ? 1. / 2 : 3. / 16);
     if (error > bound)
-        fail(kind < 2 ? "a linear value's error" : "a quadratic value's error", x, y);
-    if (kind && error > counts.worst[kind - 1])
-        counts.worst[kind - 1] = error;
+        fail(kind != BENT ? "a linear value's error" : "a quadratic value's error", x, y);
+    if (kind != DEPTH && error > counts.worst[kind == BENT])
+        counts.worst[kind == BENT] = error;
 }
 
 /* All covered pixels: of a polynomial, exactly what its coefficients say, and at the ends of rows not too far from what
  * it should be; of corner values, within their bound. */
 static void check_values(const struct exact_triangle *t, const struct plane *plane, const struct channel *channel,
-                         const struct exact_quantity *q, int kind)
+                         const struct exact_quantity *q, enum kind kind)
 {
     int32_t got[SIDE];
     const exact_t den = (exact_t)exact_area(t) * exact_area(t);
@@ -106,7 +109,7 @@ static void check_values(const struct exact_triangle *t, const struct plane *pla
                      exact_corner_bound(q, channel->exact == PLANE_EXACT_WIDE), "a value by corners", x0 + i, y);
             else if ((uint32_t)got[i] != exact_at(&channel->p, x0 + i - plane->ox, y - plane->oy))
                 fail("a value", x0 + i, y);
-            else if (i == 0 || i == n - 1)
+            else if (kind < ANY && (i == 0 || i == n - 1))
                 check_error(t, kind, exact_off((uint32_t)got[i], exact_value(t, q, x0 + i, y), den), x0 + i, y);
         }
     }
@@ -135,44 +138,52 @@ static void check_depth(const struct exact_triangle *t, const struct plane *plan
         }
 }
 
-static void random_quantity(struct exact_quantity *q, int kind)
+static void random_quantity(struct exact_quantity *q, enum kind kind)
 {
     const int extreme = random_bits() & 1;
-    q->unit = 65536;
+    q->unit = kind == ANY ? 1 : 65536;
     for (int k = 0; k < 3; k++) {
         q->bulge[k] = 0;
-        if (kind == 0)
+        if (kind == DEPTH)
             q->value[k] =
                 extreme ? (random_bits() & 1 ? DEPTH_FAR : DEPTH_NEAR) : random_between(DEPTH_FAR, DEPTH_NEAR);
+        else if (kind == ANY)
+            q->value[k] = extreme ? (random_bits() & 1 ? INT32_MIN : INT32_MAX) : (int32_t)random_bits();
         else
             q->value[k] = extreme ? random_between(0, 1) * 32768 - 16384 : random_between(-16384, 16384);
-        if (kind == 2)
+        if (kind == BENT)
             q->bulge[k] = extreme ? random_between(0, 1) * (1 << 29) - (1 << 28) : random_between(-(1 << 28), 1 << 28);
+        if (kind == ANY_BENT)
+            q->bulge[k] =
+                extreme ? (random_bits() & 1 ? -INT32_MAX : INT32_MAX) : random_between(-INT32_MAX, INT32_MAX);
     }
 }
 
 /* One channel, by the way it goes. */
-static void check_channel(const struct exact_triangle *t, struct plane *plane, int kind)
+static void check_channel(const struct exact_triangle *t, struct plane *plane, enum kind kind)
 {
     struct exact_quantity q;
     struct channel channel;
-    struct exact_bounds bounds;
     random_quantity(&q, kind);
-    const int wide = kind == 2 && (plane->thin || plane->far);
-    if (kind == 2)
-        plane_quadratic(plane, q.value, q.bulge, &channel);
-    else
+    const int linear = kind <= DOT, wide = kind >= ANY || (kind == BENT && (plane->thin || plane->far));
+    if (linear)
         plane_linear(plane, q.value, &channel);
+    else if (kind == BENT)
+        plane_quadratic(plane, q.value, q.bulge, &channel);
+    else if (kind == ANY)
+        plane_linear_wide(plane, q.value, &channel);
+    else
+        plane_quadratic_large(plane, q.value, q.bulge, &channel);
     if (!channel.exact) {
         const struct exact_polynomial p = exact_polynomial(t, &q, plane->ox, plane->oy);
-        bounds = kind < 2 ? exact_linear_bounds(t, &p)
-                 : wide   ? exact_wide_bounds(t, &p)
-                          : exact_quadratic_bounds(t, &p);
-        check_coefficients(kind < 2 ? 0 : wide ? 2 : 1, &channel.p, &p, &bounds);
+        const struct exact_bounds bounds = linear ? exact_linear_bounds(t, &p)
+                                           : wide ? exact_wide_bounds(t, &p, kind != ANY)
+                                                  : exact_quadratic_bounds(t, &p);
+        check_coefficients(linear ? 0 : wide ? 2 : 1, &channel.p, &p, &bounds);
     }
     if (area_of_picture)
         check_values(t, plane, &channel, &q, kind);
-    if (area_of_picture && kind == 0)
+    if (area_of_picture && kind == DEPTH)
         check_depth(t, plane, &channel, &q);
 }
 
@@ -187,7 +198,7 @@ static void check_set_up(int first)
     if (plane.ox != o.x || plane.oy != o.y || plane.fx != o.from_x || plane.fy != o.from_y)
         fail("the origin", plane.ox, plane.oy);
     plane_setup_quadratic(&plane);
-    for (int kind = 0; kind < 3; kind++)
+    for (enum kind kind = DEPTH; kind < KINDS; kind++)
         check_channel(&t, &plane, kind);
     counts.slivers += plane.sliver;
     counts.slim += plane.slim;
