@@ -92,10 +92,10 @@ test-budget: deps-test ## Whether every pixel by auto stays within its budget of
 test-core: deps-test ## What the renderer may link, include, keep and stack, on every CPU
 	$(Q)tests/tools/run.sh core
 
-test-golden: deps-test ## The one list of picture hashes: every compiler, level and band height on the host
+test-golden: deps-test ## The one list of picture hashes: compilers, levels, band heights; 32 and 64-bit Arm, big-endian MIPS, WebAssembly
 	$(Q)tests/tools/run.sh golden
 
-test-device: deps-test ## The same list on emulated Cortex-M0, M0+, M3 and M4
+test-device: deps-test ## The same list on emulated Cortex-M0, M0+, M3, M4 and M7
 	$(Q)tests/tools/run.sh device
 
 test-rp2040: deps-test ## Frames on the display wires of an emulated PicoSystem, and their cycles
@@ -237,6 +237,7 @@ include tests/tools/linux.mk
 include tests/tools/faults.mk
 include tests/tools/fuzz.mk
 include tests/tools/hard.mk
+include tests/tools/targets.mk
 include tests/tools/coverage.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)

@@ -7,7 +7,8 @@ set -u
 demo="gcc pkg-config libc6-dev libpng-dev libjansson-dev libassimp-dev zlib1g-dev"
 view="$demo libusb-1.0-0-dev libsdl2-dev"
 test="$view xvfb xdotool libcmocka-dev clang clang-runtime clang-format clang-tidy cppcheck valgrind python3 gcc-arm-none-eabi qemu-system-arm
-      gnuplot-nox assimp-testmodels nodejs npm gcc-arm-linux-gnueabihf libc6-dev-armhf-cross device-tree-compiler cpio"
+      gnuplot-nox assimp-testmodels nodejs npm gcc-arm-linux-gnueabihf libc6-dev-armhf-cross device-tree-compiler cpio
+      qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-mips-linux-gnu libc6-dev-mips-cross lld"
 # A Linux board's program is built on the board itself, or crosswise.
 linux="$demo $(case $(uname -m) in arm* | aarch64) echo libgpiod-dev ;; *) echo gcc-arm-linux-gnueabihf libc6-dev-armhf-cross ;; esac)"
 
@@ -19,6 +20,12 @@ have() {
     nodejs) command -v node ;;
     gcc-arm-linux-gnueabihf) command -v arm-linux-gnueabihf-gcc ;;
     libc6-dev-armhf-cross) [ -e /usr/arm-linux-gnueabihf/include/stdio.h ] ;;
+    gcc-aarch64-linux-gnu) command -v aarch64-linux-gnu-gcc ;;
+    gcc-mips-linux-gnu) command -v mips-linux-gnu-gcc ;;
+    libc6-dev-arm64-cross) [ -e /usr/aarch64-linux-gnu/include/stdio.h ] ;;
+    libc6-dev-mips-cross) [ -e /usr/mips-linux-gnu/include/stdio.h ] ;;
+    qemu-user) command -v qemu-arm && command -v qemu-aarch64 && command -v qemu-mips ;;
+    lld) command -v wasm-ld ;;
     libgpiod-dev) pkg-config --exists libgpiod ;;
     gnuplot-nox) command -v gnuplot ;;
     libpng-dev) pkg-config --exists libpng ;;
