@@ -64,9 +64,9 @@ static int32_t stretched(int32_t x, uint32_t factor)
 FX_WRAPS void dots_quadratic(struct shade_setup *setup, const int32_t value[3], const int32_t bulge[3],
                              struct channel *channel)
 {
-    const uint32_t one = 1u << 28;
-    if ((uint32_t)bulge[0] + one <= 2 * one && (uint32_t)bulge[1] + one <= 2 * one &&
-        (uint32_t)bulge[2] + one <= 2 * one)
+    const uint32_t most = PLANE_MOST_BULGE;
+    if ((uint32_t)bulge[0] + most <= 2 * most && (uint32_t)bulge[1] + most <= 2 * most &&
+        (uint32_t)bulge[2] + most <= 2 * most)
         plane_quadratic(&setup->plane, value, bulge, channel);
     else
         plane_quadratic_large(&setup->plane, value, bulge, channel);

@@ -182,8 +182,8 @@ FX_WRAPS static inline int32_t second_difference(const struct plane *p, int32_t 
     return (int32_t)shifted(fx_mulhi_s32(curve, p->r2), curve_shift(p) + up);
 }
 
-/* Where the origin is the centre of corner 0's pixel. Heights are at least 2 pixels, so the second differences are at
- * most 5/4 and 5/2 of 2^30 at the very worst bend; products are taken modulo 2^32, the results fit. */
+/* Where the origin is near the centre of corner 0's pixel. Heights are at least 2 pixels, so the second differences are
+ * at most 5/4 (a, b) and 1.95 (c) of 2^30 at the very worst bends; products are taken modulo 2^32, the results fit. */
 FX_WRAPS void plane_quadratic(const struct plane *plane, const int32_t value[3], const int32_t bulge[3],
                               struct channel *channel)
 {
@@ -202,7 +202,8 @@ FX_WRAPS void plane_quadratic(const struct plane *plane, const int32_t value[3],
     const int32_t a = second_difference(plane, curve.a, 0), b = second_difference(plane, curve.b, 0),
                   c = second_difference(plane, curve.c, 1), fx = plane->fx, fy = plane->fy;
     struct polynomial *p = &channel->p;
-    p->f += (uint32_t)((a >> 8) * (fx * fx)) + (uint32_t)((b >> 8) * (fy * fy)) + (uint32_t)((c >> 8) * (fx * fy));
+    p->f += (uint32_t)(a >> 8) * (uint32_t)(fx * fx) + (uint32_t)(b >> 8) * (uint32_t)(fy * fy) +
+            (uint32_t)(c >> 8) * (uint32_t)(fx * fy);
     p->d += (uint32_t)(a >> 3) * (uint32_t)fx + (uint32_t)(c >> 4) * (uint32_t)fy;
     p->e += (uint32_t)(b >> 3) * (uint32_t)fy + (uint32_t)(c >> 4) * (uint32_t)fx;
     p->a = (uint32_t)a;
