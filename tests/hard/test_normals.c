@@ -68,8 +68,8 @@ static void lean_in_plane(struct edge *e, double along, double a0, double a1)
         scene_case_normal(e->vertex[k].normal, sin(a[k]) * along, cos(a[k]), sin(a[k]) * across);
 }
 
-/* |G| through |D| / 4: below, the face's plane takes the place of the normals'. On a surface whose face looks the way
- * its normals do the direction changes by little. */
+/* |G| through |D| / 4: below, the face's plane takes the place of the normals'. The more the face looks as the normals
+ * do, the less the direction changes. */
 static void a_short_gamma_changes_hands_by_little_where_the_face_looks_as_the_normals(void **state)
 {
     (void)state;
@@ -79,6 +79,8 @@ static void a_short_gamma_changes_hands_by_little_where_the_face_looks_as_the_no
             const double a0 = i / DEGREES, a1 = (41 - i) / 3. / DEGREES;
             struct edge e;
             double above[3], below[3], bulge;
+            if (fabs(a0 - a1) < .1)
+                continue; /* their plane is rounded by more than G moves here */
             edge_setup(&e, tilt / DEGREES);
             lean_in_plane(&e, .2515, a0, a1);
             middle_of(&e, above, &bulge);
@@ -91,12 +93,12 @@ static void a_short_gamma_changes_hands_by_little_where_the_face_looks_as_the_no
         }
         print_message("face %d degrees off: the middle normal jumps by up to %.1f degrees, bulges up to %.2f\n", tilt,
                       jump, most);
-        assert_true(jump < (tilt ? 3.2 * tilt : 6));
+        assert_true(jump < .5 + 1.8 * tilt);
     }
 }
 
-/* All of G from |D| down to nothing: there the edge leans against neither normal and is linear; on the way the bulge
- * neither grows beyond 6 nor turns round. */
+/* All of G from |D| down to nothing: there the edge leans against neither normal and is linear, to which it comes
+ * without a step. */
 static void gamma_to_nothing_ends_linear(void **state)
 {
     double largest = 0, before[3] = {0, 0, 0}, step = 0;
@@ -115,7 +117,7 @@ static void gamma_to_nothing_ends_linear(void **state)
             assert_true(bulge == 0);
     }
     print_message("G from |D| to 0: bulges up to %.2f, the largest step of 4000 is %.2f degrees\n", largest, step);
-    assert_true(largest <= 6 && largest > 2);
+    assert_true(largest <= 6 && largest > 2 && step < 1);
 }
 
 /* Normals that come together until their plane is none (2^-10): the face's takes its place, and the bulge stays. */
