@@ -113,6 +113,9 @@ test-sanitize: deps-test ## Unit tests, command line and hashes under clang's sa
 test-exhaustive: deps-test ## Whole domains of the fixed-point functions (minutes)
 	$(Q)tests/tools/run.sh exhaustive
 
+coverage: deps-coverage ## Lines, branches and MC/DC of firmware/ that the tests reach, by file: all but tests/coverage.txt (some minutes)
+	$(Q)$(MAKE) --no-print-directory coverage-run
+
 prove: deps-prove ## Frama-C proofs: no overflow, no access out of bounds, nothing undefined, every statement reached; PROOFS="fixed edges" of some
 	$(Q)$(MAKE) --no-print-directory prove-run
 
@@ -167,7 +170,7 @@ deps: deps-test ## Install what building and testing need (DEPS=manual only prin
 
 deps-demo: ## Install what building the tool needs: `make deps-demo all` in a CI job
 
-deps-demo deps-view deps-test deps-linux deps-prove:
+deps-demo deps-view deps-test deps-linux deps-prove deps-coverage:
 	$(Q)tests/tools/deps.sh $(@:deps-%=%)
 
 BOARD_DEPS := $(BOARD_SORT:board=test)
@@ -242,17 +245,13 @@ include tests/tools/fuzz.mk
 include tests/tools/hard.mk
 include tests/tools/targets.mk
 
--include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
-
-GOALS := all demo view test test-unit test-hard test-hard-arm test-fuzz fuzz test-cli test-models test-budget test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive \
-	bench bench-boards bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-view deps-test deps-linux image run flash install clean help
 include tests/tools/prove.mk
 include tests/tools/coverage.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
-GOALS := all demo view test test-unit test-fuzz fuzz test-cli test-models test-budget test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive prove \
-	bench bench-boards bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-view deps-test deps-linux deps-prove image run flash install clean help
+GOALS := all demo view test test-unit test-hard test-hard-arm test-fuzz fuzz test-cli test-models test-budget test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive prove coverage \
+	bench bench-boards bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-view deps-test deps-linux deps-prove deps-coverage image run flash install clean help
 .PHONY: $(GOALS) tool
 # Several are made one after another, also with -j: each calls a make of its own, in the same folder.
 ifneq ($(word 2,$(filter $(GOALS),$(MAKECMDGOALS))),)
