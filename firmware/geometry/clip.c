@@ -42,7 +42,7 @@ static void cut(const struct clip_corner *in, int64_t d0, const struct clip_corn
         span >>= 1;
         part >>= 1;
     }
-    uint32_t t = fx_u32(fx_divide_u64(part << 31, span ? span : 1));
+    uint32_t t = fx_u32(fx_divide_u64(part << 31, span));
     result->eye.x = mix(in->eye.x, out->eye.x, t);
     result->eye.y = mix(in->eye.y, out->eye.y, t);
     result->eye.z = mix(in->eye.z, out->eye.z, t);

@@ -60,6 +60,23 @@ static void near_point(const q16_t world[3], const struct scene_mesh *mesh, cons
     }
 }
 
+/* Half-way between two far points. Where they are all but opposite it is short, and taken from all their bits; where
+ * these are but roundings, below 2^-15, there is none: 0, and no highlight. */
+static void half_way(const struct object_point *light, const struct object_point *eye, q14_t out[3])
+{
+    static const int32_t none[3] = {0, 0, 0}; /* far things are so from anywhere */
+    int32_t fine[3], sum[3], size = 0;
+    for (int i = 0; i < 3; i++) { /* Q28 each */
+        fine[i] = light->at[i] * (1 << (14 - light->shift)) + eye->at[i] * (1 << (14 - eye->shift));
+        sum[i] = object_way(light, none, i) + object_way(eye, none, i);
+        size |= fine[i] ^ fine[i] >> 31;
+    }
+    if (size >> 13)
+        object_unit(size >> 25 ? sum : fine, out);
+    else
+        out[0] = out[1] = out[2] = 0;
+}
+
 void object_light_setup(struct object_state *object, const struct scene_header *scene, const struct view *view,
                         const struct pose *pose, const struct matrix *to_eye, uint32_t time_ms)
 {
@@ -87,12 +104,9 @@ void object_light_setup(struct object_state *object, const struct scene_header *
             far_point(to_eye, towards, &out->source);
         }
         if (!object_near(&out->source) && !object_near(&object->eye)) {
-            int32_t sum[3];
-            for (int j = 0; j < 3; j++) {
+            for (int j = 0; j < 3; j++)
                 out->towards[j] = fx_s16(object_way(&out->source, none, j));
-                sum[j] = out->towards[j] + object_way(&object->eye, none, j);
-            }
-            object_unit(sum, out->half);
+            half_way(&out->source, &object->eye, out->half);
         } else {
             for (int j = 0; j < 3; j++)
                 out->towards[j] = out->half[j] = 0; /* vertices are lit anew, by place */

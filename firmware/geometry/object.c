@@ -72,12 +72,18 @@ void object_towards(const struct object_point *point, const int32_t place_q8[3],
         out[i] = fx_mulhi_s32(way[i], inverse) * scale;
 }
 
+/* Of what are all but opposite there is none, 0: below 2^-10 it is but their roundings. */
 static void half_way(const q14_t a[3], const q14_t b[3], q14_t out[3])
 {
-    int32_t sum[3];
-    for (int i = 0; i < 3; i++)
+    int32_t sum[3], size = 0;
+    for (int i = 0; i < 3; i++) {
         sum[i] = a[i] + b[i];
-    object_unit(sum, out);
+        size |= sum[i] ^ sum[i] >> 31;
+    }
+    if (size >> 4)
+        object_unit(sum, out);
+    else
+        out[0] = out[1] = out[2] = 0;
 }
 
 void object_light_at(const struct object_state *object, unsigned light, const int32_t place[3], q14_t towards[3],

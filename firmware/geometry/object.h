@@ -62,7 +62,7 @@ void object_light_setup(struct object_state *object, const struct scene_header *
                         const struct pose *pose, const struct matrix *to_eye, uint32_t time_ms);
 
 /* Towards a light, and half-way from it to the eye, seen from a place in the mesh's position units: unit vectors, Q14,
- * within 2^-12. */
+ * within 2^-12 and half-way over its own length |L + V|; 0 where they are all but opposite. */
 void object_light_at(const struct object_state *object, unsigned light, const int32_t place[3], q14_t towards[3],
                      q14_t half[3]);
 

@@ -135,12 +135,14 @@ static inline __attribute__((always_inline)) void sample(const struct shade_inpu
     }
 }
 
-/* Whether the triangle is drawn straight into 8-bit grey (raster/bump_grey.c). */
+/* Whether the triangle is drawn straight into 8-bit grey (raster/bump_grey.c), which shifts coordinates of 32 bits down
+ * to those of texels: not of a map one texel wide. */
 static int is_straight(const struct shade_setup *setup, const struct shade_input *in, int quadratic)
 {
     const struct surface *s = in->surface;
     return surface_fold(s) && surface_lights(s) == 1 && in->grey_table && !setup->plane.sliver &&
-           !(quadratic && setup->plane.slim) && setup->uv_kind == GLINT_TEXTURE_AFFINE && !s->bump.flags;
+           (!quadratic || !setup->plane.slim) && setup->uv_kind == GLINT_TEXTURE_AFFINE && !s->bump.flags &&
+           s->bump.log2_width;
 }
 
 /* For that, L' times the material's diffuse light, and x and y of L' and H' times the map's steepness; Q15 factors. */

@@ -6,6 +6,7 @@
 #define LEAN     (1 << 16) /* 2^-12, all in Q28 */
 #define PARALLEL (1 << 18) /* 2^-10 */
 #define ACROSS   (1 << 26) /* 1/4 */
+#define SHORT    (1 << 24) /* 1/16 */
 
 static inline int32_t size_of(int32_t x)
 {
@@ -40,11 +41,12 @@ static void edge_between(const struct scene_vertex *a, const struct scene_vertex
         out[k] = b->position[k] - a->position[k];
 }
 
-/* 3 (n0 + n1, g) g for a unit vector g: |(n0 + n1, g)| <= 2 (1 + 2^-13), so 3 of it stay below 2^30.6. */
+/* 3 (n0 + n1, g) g for a unit vector g, or a part of it: |(n0 + n1, g)| <= 2 (1 + 2^-13), so 3 of it stay below 2^30.6.
+ */
 static void bend_edge(struct normal_quadratic *out, int e, const struct scene_vertex *a, const struct scene_vertex *b,
-                      const q30_t g[3])
+                      const q30_t g[3], q30_t part)
 {
-    const int32_t along = 3 * (dot(a->normal, g) + dot(b->normal, g));
+    const int32_t along = times_q30(3 * (dot(a->normal, g) + dot(b->normal, g)), part);
     for (int axis = 0; axis < 3; axis++)
         out->bulge[axis][e] = times_q30(along, g[axis]);
 }
@@ -64,7 +66,7 @@ void normal_quadratic_overveld(const struct scene_vertex *const corner[3], struc
         int32_t edge[3];
         edge_between(a, b, edge);
         vector_normalise(edge, edge);
-        bend_edge(out, e, a, b, edge);
+        bend_edge(out, e, a, b, edge, Q30(1, 1));
     }
 }
 
@@ -103,8 +105,8 @@ static void face_normal(const struct scene_vertex *const corner[3], q30_t out[3]
     vector_normalise(out, out);
 }
 
-/* The unit vector along G of edge e; 0 if the edge is linear. */
-static int direction(const struct scene_vertex *const corner[3], int e, q30_t out[3])
+/* The unit vector along G of edge e; returns which part of the bulge counts: 0 if the edge is linear. */
+static q30_t direction(const struct scene_vertex *const corner[3], int e, q30_t out[3])
 {
     const struct scene_vertex *a = corner[e], *b = corner[e == 2 ? 0 : e + 1];
     int32_t edge[3], n0[3], n1[3], face[3], lean0 = 0, lean1 = 0;
@@ -126,7 +128,7 @@ static int direction(const struct scene_vertex *const corner[3], int e, q30_t ou
         part_across(edge, out, out);
         if (!is_shorter(out, ACROSS)) {
             vector_normalise(out, out);
-            return 1;
+            return Q30(1, 1);
         }
     }
     /* The edge lies in the triangle: projected on the plane of a normal and the triangle's, it has the direction of the
@@ -136,7 +138,12 @@ static int direction(const struct scene_vertex *const corner[3], int e, q30_t ou
     if (is_shorter(out, PARALLEL))
         return 0;
     vector_normalise(out, out);
-    return 1;
+    /* the part of the edge along it, which may be none */
+    int32_t share = 0;
+    for (int k = 0; k < 3; k++)
+        share += fx_mulhi_s32(edge[k], out[k]);
+    share = size_of(share);
+    return share < SHORT ? share * 64 : Q30(1, 1);
 }
 
 int normal_quadratic_lee_jen(const struct scene_vertex *const corner[3], unsigned edges, struct normal_quadratic *out)
@@ -145,8 +152,9 @@ int normal_quadratic_lee_jen(const struct scene_vertex *const corner[3], unsigne
     gather(corner, out);
     for (int e = 0; e < 3; e++) {
         q30_t g[3];
-        if (edges >> e & 1u && direction(corner, e, g)) {
-            bend_edge(out, e, corner[e], corner[e == 2 ? 0 : e + 1], g);
+        const q30_t part = edges >> e & 1u ? direction(corner, e, g) : 0;
+        if (part) {
+            bend_edge(out, e, corner[e], corner[e == 2 ? 0 : e + 1], g, part);
             bent = 1;
         } else {
             out->bulge[0][e] = out->bulge[1][e] = out->bulge[2][e] = 0;

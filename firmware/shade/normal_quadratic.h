@@ -18,8 +18,9 @@ void normal_quadratic_overveld(const struct scene_vertex *const corner[3], struc
  * Lee and Jen, on the edges whose bits are in `edges` (bit e: from corner e to the next): only where both normals lean
  * the same way along the edge, each by more than 2^-12 (section 3.1); G is the edge projected on the plane of its
  * normals (3.2). Where these are parallel (their product shorter than 2^-10) or the edge is nearly perpendicular to
- * that plane (|G| < |D| / 4), the triangle's normal takes the place of the one that leans less; where the other is
- * parallel to it as well, the edge is linear. Returns 0 if all three edges are.
+ * that plane (|G| < |D| / 4), the triangle's normal takes the place of the one that leans less; where then |G| < |D| /
+ * 16, the bulge fades with it, to be 0 where its direction ends; where the other is parallel to the triangle's as well,
+ * the edge is linear. Returns 0 if all three edges are.
  */
 int normal_quadratic_lee_jen(const struct scene_vertex *const corner[3], unsigned edges, struct normal_quadratic *out);
 

@@ -93,12 +93,11 @@ static uint32_t size_of(int32_t v)
     return fx_u32(v < 0 ? -v : v);
 }
 
-/* x 2^up or x 2^-down, rounded to 0: rounded down, -2^14 would be among them, whose square plane_quadratic() does not
- * hold. */
+/* x 2^up or x 2^-down, rounded down but for -2^14, whose square plane_quadratic() does not hold: 1 more. */
 static int32_t scaled(int32_t x, int up, int down)
 {
-    x *= 1 << up;
-    return (x + (x >> 31 & ((1 << down) - 1))) >> down;
+    x = x * (1 << up) >> down;
+    return x + (x == -(1 << 14));
 }
 
 static struct shape shape_of(const struct part_place p[3])

@@ -61,7 +61,9 @@ int plane_setup(struct plane *plane, const int16_t *const p[3], unsigned width, 
 /* What quadratics need besides; once a triangle, before the first. */
 void plane_setup_quadratic(struct plane *plane);
 
-/* A linear channel from corner values, any two of them less than 2^16 apart; the channel's value is 2^16 times that. */
+/* A linear channel from corner values, any two of them less than 2^16 apart; the channel's value is 2^16 times that.
+ * Inside the triangle within 2^16 + 5 of it, which is 1/64 of a display unit; of more than 1024 pixels, where corner
+ * values are rounded, another 2^16 and at 2048 another 2^17; by corner values, 2^17 + 8. */
 void plane_linear(const struct plane *plane, const int32_t value[3], struct channel *channel);
 
 /* A linear channel of any 32-bit corner values, in 64 bits. */

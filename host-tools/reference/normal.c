@@ -20,12 +20,15 @@
 #define NORMAL_UPRIGHT 0x1p-12
 /* |G| / |D| below which the edge is nearly perpendicular to the plane of its normals. */
 #define NORMAL_ACROSS .25
+/* The same of the plane of a normal and the triangle's, below which the bulge fades with |G|. */
+#define NORMAL_SHORT (1 / 16.)
 
-/* n(s) on an edge with G as given; linear when that is zero. */
-static void normal_along(const double n0[3], const double n1[3], const double g[3], double s, double out[3])
+/* n(s) on an edge with G as given and a part of the bulge; linear when that is zero. */
+static void normal_along(const double n0[3], const double n1[3], const double g[3], double part, double s,
+                         double out[3])
 {
     double sum[3] = {n0[0] + n1[0], n0[1] + n1[1], n0[2] + n1[2]}, square = vec_dot(g, g);
-    double scale = square > 0 ? 3 * vec_dot(sum, g) / square : 0;
+    double scale = square > 0 ? part * 3 * vec_dot(sum, g) / square : 0;
     for (int k = 0; k < 3; k++)
         out[k] = n0[k] + (n1[k] - n0[k]) * s - scale * g[k] * s * (1 - s);
 }
@@ -56,7 +59,7 @@ void normal_setup_overveld(struct shading *shading)
     for (unsigned e = 0; e < 3; e++) {
         double edge[3], middle[3];
         normal_edge(shading, e, edge);
-        normal_along(shading->corner[e].normal, shading->corner[(e + 1) % 3].normal, edge, .5, middle);
+        normal_along(shading->corner[e].normal, shading->corner[(e + 1) % 3].normal, edge, 1, .5, middle);
         normal_setup_middle(shading, e, middle);
     }
 }
@@ -84,20 +87,23 @@ static bool normal_project(const double a[3], const double b[3], const double ed
 
 /* G (section 3.2): the edge projected on the plane of its normals. Where these are parallel or the edge is nearly
  * perpendicular to that plane, the triangle's normal takes the place of the one that leans less along the edge, so that
- * b goes to zero when both become the triangle's. False: linear. */
-static bool normal_direction(const struct shading *shading, unsigned e, double out[3])
+ * b goes to zero when both become the triangle's; where G is short then too, it fades with it, so that it ends at 0
+ * where its direction does. Returns which part of the bulge counts; 0: linear. */
+static double normal_direction(const struct shading *shading, unsigned e, double out[3])
 {
     const double *n0 = shading->corner[e].normal, *n1 = shading->corner[(e + 1) % 3].normal;
     double edge[3], next[3], face[3];
     normal_edge(shading, e, edge);
     if (!normal_zigzag(n0, n1, edge))
-        return false;
+        return 0;
     if (normal_project(n0, n1, edge, out) && vec_length(out) >= NORMAL_ACROSS * vec_length(edge))
-        return true;
+        return 1;
     normal_edge(shading, (e + 1) % 3, next);
     vec_cross(edge, next, face);
     vec_normalise(face);
-    return normal_project(fabs(vec_dot(n0, edge)) > fabs(vec_dot(n1, edge)) ? n0 : n1, face, edge, out);
+    if (!normal_project(fabs(vec_dot(n0, edge)) > fabs(vec_dot(n1, edge)) ? n0 : n1, face, edge, out))
+        return 0;
+    return fmin(1, vec_length(out) / (NORMAL_SHORT * vec_length(edge)));
 }
 
 /* Linear but for its zigzag edges. */
@@ -105,10 +111,10 @@ void normal_setup_biquadratic(struct shading *shading)
 {
     normal_setup_linear(shading);
     for (unsigned e = 0; e < 3; e++) {
-        double direction[3], middle[3];
-        if (!(shading->edges >> e & 1u) || !normal_direction(shading, e, direction))
+        double direction[3], middle[3], part = shading->edges >> e & 1u ? normal_direction(shading, e, direction) : 0;
+        if (part == 0)
             continue;
-        normal_along(shading->corner[e].normal, shading->corner[(e + 1) % 3].normal, direction, .5, middle);
+        normal_along(shading->corner[e].normal, shading->corner[(e + 1) % 3].normal, direction, part, .5, middle);
         normal_setup_middle(shading, e, middle);
     }
 }
@@ -139,7 +145,7 @@ static double normal_crossing(const struct shading *shading, const double at[3],
     const struct decode_vertex *a = shading->corner + e, *b = shading->corner + (e + 1) % 3;
     double s = at[(e + 1) % 3] - t * fall[(e + 1) % 3];
     normal_edge(shading, e, edge);
-    normal_along(a->normal, b->normal, edge, s, v->normal);
+    normal_along(a->normal, b->normal, edge, 1, s, v->normal);
     for (int k = 0; k < 3; k++)
         v->position[k] = a->position[k] + s * edge[k];
     return t;
@@ -152,7 +158,7 @@ void normal_pixel_scan(const struct shading *shading, const double at[3], double
     double before = normal_crossing(shading, at, -1, &from), behind = normal_crossing(shading, at, 1, &to), span[3];
     double s = before + behind > 0 ? before / (before + behind) : 0;
     vec_sub(to.position, from.position, span);
-    normal_along(from.normal, to.normal, span, s, v.normal);
+    normal_along(from.normal, to.normal, span, 1, s, v.normal);
     vec_normalise(v.normal);
     shading_point(shading, v.position, v.normal, colour);
 }

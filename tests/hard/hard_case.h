@@ -120,7 +120,7 @@ static inline void hard_facts(const struct hard_case *h, struct hard_facts *f)
     const double length = sqrt(hard_dot(half, half));
     for (int i = 0; i < 3; i++) {
         f->towards[0][i] = h->light[i];
-        f->towards[1][i] = length > 0 ? half[i] / length : i == 2; /* away from the eye: as object_unit() says */
+        f->towards[1][i] = length > 0 ? half[i] / length : 0; /* none: no highlight */
     }
     for (int k = 0; k < 3; k++) {
         for (int i = 0; i < 3; i++)

@@ -10,153 +10,12 @@
 
 #include <cmocka.h>
 
-#include "tests/unit/frame_case.h"
-#include "tests/unit/scene_case.h"
+#include "pictures_case.h"
 
-#define SIDE   40
-#define CROWD  6 /* triangles of a picture of several */
-#define ORDERS 6
+#define SIDE 40
 
-static const uint16_t order_of[ORDERS][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
 static const char *const format_name[] = {"rgb565", "rgb888", "grey8", "grey4"};
-
-static struct scene_case scene;
-static struct scene_vertex vertex[3 * CROWD];
-static struct scene_triangle triangle[CROWD];
 static long drawn, pixels, slivers, plain;
-
-/* A picture under which a position unit is a sub-pixel, and its blob, whose parts are changed in place from here on. */
-static struct scene_header *begin(unsigned width, unsigned height, unsigned lights)
-{
-    scene_case_default(&scene, (uint16_t)width, (uint16_t)height);
-    scene.head.camera.kind = CAMERA_ORTHOGRAPHIC;
-    scene.head.camera.focal = CASE_UNIT;
-    scene.mesh[0].head.extent = 2048 * CASE_UNIT;
-    scene.mesh[0].head.radius = 8192 * CASE_UNIT;
-    scene.head.camera.far_plane = 20000 * CASE_UNIT;
-    scene.object[0].position[2] = -9000 * CASE_UNIT;
-    scene.light_count = lights;
-    for (unsigned i = 0; i < lights; i++) {
-        double v[3];
-        random_direction(v, 3);
-        for (int c = 0; c < 3; c++) {
-            scene.light[i].vector[c] = (int32_t)lrint((c == 2 ? fabs(v[c]) : v[c]) * (1 << 30));
-            scene.light[i].colour[c] = (uint16_t)random_between(8192, 32768);
-        }
-    }
-    struct scene_material *m = &scene.material[0];
-    static const uint16_t exponents[] = {1, 2, 5, 20, 50, 200, 1023};
-    m->shininess = exponents[random_bits() % 7];
-    m->kd = (uint16_t)random_between(0, 32768);
-    m->ks = (uint16_t)(random_bits() % 3 ? random_between(0, 32768) : 0);
-    m->ka = (uint16_t)random_between(0, 8000);
-    m->flags = MATERIAL_TWO_SIDED;
-    scene.mesh[0].vertices = vertex;
-    scene.mesh[0].triangles = triangle;
-    scene.mesh[0].vertex_count = 3 * CROWD;
-    scene.mesh[0].triangle_count = CROWD;
-    for (unsigned i = 0; i < 3 * CROWD; i++) {
-        triangle[i / 3].corner[i % 3] = (uint16_t)i;
-        scene_case_normal(vertex[i].normal, 0, 0, 1);
-    }
-    return scene_case_blob(&scene);
-}
-
-static int32_t random_place(unsigned size)
-{
-    static const int32_t special[] = {GUARD - 1, 1 - GUARD, GUARD - 2, 2 - GUARD, 0, 1, -1};
-    const int32_t reach = size < 2000 ? 8 * (int32_t)size + 100 : GUARD - 15; /* nothing is to be clipped */
-    switch (random_bits() % 8) {
-    case 0:
-        return special[random_bits() % 7];
-    case 1:
-        return random_between(1 - GUARD, GUARD - 1);
-    case 2:
-    case 3:
-        return random_between(-reach / 8, reach / 8) * 8;
-    default:
-        return random_between(-reach, reach);
-    }
-}
-
-/* On a line through the picture, far away on either side of it, but for a few sub-pixels. */
-static void make_sliver(struct scene_vertex v[3], unsigned width, unsigned height)
-{
-    const double angle = random_real(0, 2 * 3.14159265358979);
-    const int about = 1 << random_bits() % 5, x = random_between(-4 * (int)width, 4 * (int)width),
-              y = random_between(-4 * (int)height, 4 * (int)height),
-              least = GUARD - 200 - (abs(x) > abs(y) ? abs(x) : abs(y));
-    for (int k = 0; k < 3; k++) {
-        const double far = k == 2 ? random_real(-99, 99) : (k ? 1 : -1) * random_magnitude(100, least);
-        v[k].position[0] = (int16_t)(x + lrint(far * cos(angle)) + random_between(-about, about));
-        v[k].position[1] = (int16_t)(y + lrint(far * sin(angle)) + random_between(-about, about));
-    }
-}
-
-/* Corners anywhere that is not clipped, every fourth time a sliver, every fourth as near everywhere; normals as far
- * apart as they may be, or close. */
-static void random_corners(struct scene_vertex v[3], unsigned width, unsigned height)
-{
-    double n[3], spread = random_magnitude(.01, 3);
-    const int level = random_bits() % 4 == 0;
-    random_direction(n, 3);
-    for (int k = 0; k < 3; k++) {
-        double d[3];
-        random_direction(d, 3);
-        v[k].position[0] = (int16_t)random_place(width);
-        v[k].position[1] = (int16_t)random_place(height);
-        v[k].position[2] = (int16_t)(level ? 100 : random_between(-32767, 32767));
-        scene_case_normal(v[k].normal, n[0] + spread * d[0], n[1] + spread * d[1], fabs(n[2]) + spread * d[2]);
-    }
-    if (random_bits() % 4 == 0)
-        make_sliver(v, width, height);
-}
-
-static void *part(struct scene_header *blob, uint32_t offset)
-{
-    return (uint8_t *)blob + offset;
-}
-
-static struct scene_mesh *mesh_of(struct scene_header *blob)
-{
-    return part(blob, blob->meshes);
-}
-
-/* The mesh is one triangle, its corners in this order. */
-static void put_one(struct scene_header *blob, const struct scene_vertex from[3], const uint16_t order[3])
-{
-    struct scene_mesh *mesh = mesh_of(blob);
-    struct scene_vertex *v = part(blob, mesh->vertices);
-    struct scene_triangle *t = part(blob, mesh->triangles);
-    memcpy(v, from, 3 * sizeof *v);
-    memcpy(t[0].corner, order, sizeof t[0].corner);
-    scene_case_bend(&t[0], v);
-    mesh->triangle_count = 1;
-}
-
-static void level_of(const struct frame_case *f, int x, int y, uint32_t level[3])
-{
-    const uint8_t *row = f->picture + (size_t)y * glint_row_bytes(&f->config);
-    uint16_t colour;
-    level[0] = row[f->config.format == GLINT_RGB888 ? 3 * x : f->config.format == GLINT_GREY4 ? x / 2 : x];
-    switch (f->config.format) {
-    case GLINT_RGB565:
-        memcpy(&colour, row + 2 * x, 2);
-        level[0] = colour >> 11;
-        level[1] = colour >> 5 & 63;
-        level[2] = colour & 31;
-        break;
-    case GLINT_RGB888:
-        level[1] = row[3 * x + 1];
-        level[2] = row[3 * x + 2];
-        break;
-    case GLINT_GREY4:
-        level[0] = x & 1 ? level[0] & 15 : level[0] >> 4;
-        break;
-    default:
-        break;
-    }
-}
 
 /* The set-up of the triangle that was drawn last, made anew. */
 static void set_up(const struct frame_case *f, struct shade_setup *setup)
@@ -207,7 +66,7 @@ static void check_picture(const struct frame_case *f, const struct scene_vertex 
                 plain += setup.plain;
                 ready = 1;
             }
-            level_of(f, x, y, got);
+            pictures_level_of(f, x, y, got);
             if (covered)
                 pixel = exact_pixel(r, &setup, f->config.method->id, x, y);
             const unsigned depth = r->depth[y * r->width + x];
@@ -245,16 +104,16 @@ static void check_method(const struct glint_method *method, unsigned format, uns
     for (int i = 0; i < scenes; i++) {
         const unsigned width = (unsigned)random_between((int)most_width / SIDE, (int)most_width),
                        height = (unsigned)random_between((int)most_height / SIDE, (int)most_height);
-        struct scene_header *blob = begin(width, height, 1 + (random_bits() & 1));
+        struct scene_header *blob = pictures_begin(width, height, 1 + (random_bits() & 1));
         struct frame_case f = open(width, height, method, format), bands = f;
         bands.config.band_rows = (uint16_t)random_between(1, (int32_t)height);
         bands.config.flags = f.config.flags;
         frame_case_open(&bands);
         for (int n = 0; n < 6; n++) {
             struct scene_vertex corner[3];
-            random_corners(corner, width, height);
+            pictures_random_corners(corner, width, height);
             for (int order = 0; order < ORDERS; order++) {
-                put_one(blob, corner, order_of[order]);
+                pictures_put_one(blob, corner, pictures_order[order]);
                 frame_case_draw(&f, blob, 0);
                 check_picture(&f, corner);
                 frame_case_draw(&bands, blob, 0);
@@ -338,7 +197,7 @@ static void a_picture_of_many_is_the_nearest_of_its_triangles(void **state)
     random_seed(600);
     for (int i = 0; i < 1500; i++) {
         const unsigned width = (unsigned)random_between(1, SIDE), height = (unsigned)random_between(1, SIDE);
-        struct scene_header *blob = begin(width, height, 1);
+        struct scene_header *blob = pictures_begin(width, height, 1);
         struct frame_case f = open(width, height, i & 1 ? &glint_x : &glint_gouraud, GLINT_GREY8);
         const size_t size = width * height;
         const struct raster *r = f.frame.raster;
@@ -346,8 +205,8 @@ static void a_picture_of_many_is_the_nearest_of_its_triangles(void **state)
         memset(wanted, 0, sizeof wanted);
         memset(depth, 0, sizeof depth);
         for (int n = 0; n < CROWD; n++) {
-            random_corners(corner[n], width, height);
-            put_one(blob, corner[n], order_of[0]);
+            pictures_random_corners(corner[n], width, height);
+            pictures_put_one(blob, corner[n], pictures_order[0]);
             frame_case_draw(&f, blob, 0);
             memcpy(alone[n], f.picture, size);
             memcpy(alone_depth[n], r->depth, 2 * size);
@@ -362,12 +221,13 @@ static void a_picture_of_many_is_the_nearest_of_its_triangles(void **state)
                         wanted[p] = alone[n][p];
                     }
                 }
-        struct scene_mesh *mesh = mesh_of(blob);
-        struct scene_triangle *t = part(blob, mesh->triangles);
-        memcpy(part(blob, mesh->vertices), corner, sizeof corner);
+        struct scene_mesh *mesh = pictures_mesh_of(blob);
+        struct scene_triangle *t = pictures_part(blob, mesh->triangles);
+        memcpy(pictures_part(blob, mesh->vertices), corner, sizeof corner);
         for (int n = 0; n < CROWD; n++) {
-            memcpy(t[n].corner, triangle[n].corner, sizeof t[n].corner);
-            scene_case_bend(&t[n], part(blob, mesh->vertices));
+            for (int k = 0; k < 3; k++)
+                t[n].corner[k] = (uint16_t)(3 * n + k);
+            scene_case_bend(&t[n], pictures_part(blob, mesh->vertices));
         }
         mesh->triangle_count = CROWD;
         frame_case_draw(&f, blob, 0);

@@ -122,7 +122,7 @@ static void long_spans(unsigned width, unsigned height, int triangles, const cha
         assert_false(channel.exact);
         const struct exact_polynomial p = exact_polynomial(&t, &quantity, plane.ox, plane.oy);
         const struct exact_bounds by =
-            plane.thin || plane.far ? exact_wide_bounds(&t, &p) : exact_quadratic_bounds(&t, &p);
+            plane.thin || plane.far ? exact_wide_bounds(&t, &p, 1) : exact_quadratic_bounds(&t, &p);
         const double rounded = plane.far || plane.thin ? 0 : UNIT / 128;
         for (int n = 0; n < 400; n++) {
             const int y = n & 1   ? random_between(0, (int)height - 1)

@@ -1,6 +1,6 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# Finds which Debian packages a target lacks, says so and installs them. `deps.sh demo|view|test|linux|prove`; DEPS=manual only prints
+# Finds which Debian packages a target lacks, says so and installs them. `deps.sh demo|view|test|linux|prove|coverage`; DEPS=manual only prints
 # the command and fails if something is missing.
 set -u
 
@@ -12,11 +12,14 @@ test="$view xvfb xdotool libcmocka-dev clang clang-runtime clang-format clang-ti
 # A Linux board's program is built on the board itself, or crosswise.
 linux="$demo $(case $(uname -m) in arm* | aarch64) echo libgpiod-dev ;; *) echo gcc-arm-linux-gnueabihf libc6-dev-armhf-cross ;; esac)"
 prove="gcc python3 frama-c-base why3 z3 cvc4 gappa"
+coverage="$test clang-19 llvm-19 clang-runtime-19"
 
 # A tool that came by another way than apt serves as well; a library needs its package or its pkg-config file.
 have() {
     case $1 in
     device-tree-compiler) command -v dtc ;;
+    llvm-19) command -v llvm-cov-19 && command -v llvm-profdata-19 ;;
+    clang-runtime-19) [ -e "$(clang-19 -print-file-name="libclang_rt.profile-$(uname -m).a")" ] ;;
     frama-c-base) command -v frama-c ;;
     gcc-arm-none-eabi) command -v arm-none-eabi-gcc && command -v arm-none-eabi-nm ;;
     nodejs) command -v node ;;
@@ -47,6 +50,7 @@ have() {
 
 # The sanitizers' package carries clang's version in its name.
 name_of() {
+    [ "$1" = clang-runtime-19 ] && { echo libclang-rt-19-dev; return; }
     [ "$1" = clang-runtime ] || { echo "$1"; return; }
     major=$(apt-cache depends clang 2>/dev/null | sed -n 's/.*Depends: clang-\([0-9]*\)$/\1/p')
     echo "libclang-rt-${major:-14}-dev"
@@ -64,8 +68,9 @@ view) wanted=$view ;;
 test) wanted=$test ;;
 linux) wanted=$linux ;;
 prove) wanted=$prove ;;
+coverage) wanted=$coverage ;;
 *)
-    echo "usage: deps.sh demo|view|test|linux|prove" >&2
+    echo "usage: deps.sh demo|view|test|linux|prove|coverage" >&2
     exit 2
     ;;
 esac

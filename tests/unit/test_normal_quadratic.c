@@ -101,6 +101,8 @@ static enum kind lee_jen(const struct triangle *t, int e, double out[3])
     if (apart < 0x1p-10)
         return LINEAR;
     bulge_along(n0, n1, g, out);
+    for (int i = 0; i < 3; i++)
+        out[i] *= fmin(1, 16 * length(g) / length(edge));
     return FACE;
 }
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Frames where the view is hard: nothing left after snapping, corners past the guard band, at the eye and behind it. */
+/* Perspective with corners near the eye, beside it and behind it. */
 #include "exact_rational.h"
-#include "tests/unit/random.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -10,171 +9,8 @@
 
 #include <cmocka.h>
 
+#include "clip_case.h"
 #include "raster/raster.h"
-#include "tests/unit/frame_case.h"
-#include "tests/unit/scene_case.h"
-
-#define WIDTH  48
-#define HEIGHT 40
-
-static struct scene_case scene;
-static struct scene_vertex vertex[4];
-static struct scene_triangle triangle[2];
-static struct frame_case frame;
-static struct scene_header *blob;
-
-/* A blob of four corners and two triangles, changed in place, and a renderer for it. */
-static void begin(void)
-{
-    for (int i = 0; i < 4; i++)
-        scene_case_normal(vertex[i].normal, 0, 0, 1);
-    triangle[0] = (struct scene_triangle){.corner = {0, 1, 2}};
-    triangle[1] = (struct scene_triangle){.corner = {0, 2, 3}};
-    scene.material[0].flags = MATERIAL_TWO_SIDED;
-    scene.mesh[0].vertices = vertex;
-    scene.mesh[0].triangles = triangle;
-    scene.mesh[0].vertex_count = 4;
-    scene.mesh[0].triangle_count = 2;
-    blob = scene_case_blob(&scene);
-    frame = (struct frame_case){
-        .config = {.width = WIDTH, .height = HEIGHT, .format = GLINT_GREY8, .method = &glint_flat, .max_clipped = 16}};
-    frame.config.max_vertices = 4;
-    frame.config.max_triangles = 16;
-    frame.config.max_objects = frame.config.max_lights = 1;
-    frame_case_open(&frame);
-}
-
-static void end(void)
-{
-    frame_case_close(&frame);
-    free(blob);
-}
-
-/* An orthographic view under which a position unit is a sub-pixel. */
-static void begin_flat(void)
-{
-    scene_case_default(&scene, WIDTH, HEIGHT);
-    scene.head.camera.kind = CAMERA_ORTHOGRAPHIC;
-    scene.head.camera.focal = CASE_UNIT;
-    scene.mesh[0].head.extent = 2048 * CASE_UNIT;
-    scene.mesh[0].head.radius = 8192 * CASE_UNIT;
-    scene.head.camera.far_plane = 20000 * CASE_UNIT;
-    scene.object[0].position[2] = -9000 * CASE_UNIT;
-    begin();
-}
-
-static void *part(uint32_t offset)
-{
-    return (uint8_t *)blob + offset;
-}
-
-/* Draws one triangle of the mesh, the corners at places of three units. */
-static void draw(const int32_t p[4][3], const uint16_t corner[3])
-{
-    struct scene_mesh *mesh = part(blob->meshes);
-    struct scene_vertex *v = part(mesh->vertices);
-    struct scene_triangle *t = part(mesh->triangles);
-    for (int i = 0; i < 4; i++)
-        for (int c = 0; c < 3; c++)
-            v[i].position[c] = (int16_t)p[i][c];
-    memcpy(t->corner, corner, sizeof t->corner);
-    mesh->triangle_count = 1;
-    frame_case_draw(&frame, blob, 0);
-}
-
-static void nothing_is_drawn(void)
-{
-    for (size_t i = 0; i < frame.picture_bytes; i++)
-        assert_int_equal(frame.picture[i], 0);
-}
-
-static void what_has_no_area_or_snaps_to_none_is_culled(void **state)
-{
-    (void)state;
-    begin_flat();
-    random_seed(21);
-    struct scene_object *object = part(blob->objects);
-    for (int i = 0; i < 20000; i++) {
-        int32_t p[4][3] = {{0}};
-        const int snapped = i & 1, dx = random_between(-30, 30), dy = random_between(-30, 30);
-        object->scale = snapped ? CASE_UNIT / 64 : CASE_UNIT; /* a unit is 1/64 sub-pixel, and area does not survive */
-        for (int k = 0; k < 3; k++) {
-            const int at = random_between(-9, 9);
-            p[k][0] = snapped ? 64 * 5 + random_between(-31, 31) : at * dx;
-            p[k][1] = snapped ? 64 * 3 + random_between(-31, 31) : at * dy;
-            if (snapped && i & 2) /* to a line instead of to a point */
-                p[k][0] += 640 * at;
-        }
-        draw(p, triangle[0].corner);
-        assert_int_equal(frame.frame.stats.culled, 1);
-        nothing_is_drawn();
-    }
-    end();
-}
-
-/* Whether a pixel's centre is within `near` sub-pixels of an edge's line, exactly: edge function squared against length
- * squared. */
-static int touches(const struct exact_triangle *t, int x, int y, int near)
-{
-    const struct cover_point c = cover_centre(x, y, t->width, t->height);
-    for (int k = 0; k < 3; k++) {
-        const struct cover_point a = t->p[k], b = t->p[(k + 1) % 3];
-        const exact_t side = exact_edge(t, k, c), dx = b.x - a.x, dy = b.y - a.y;
-        if (side * side <= (dx * dx + dy * dy) * near * near)
-            return 1;
-    }
-    return 0;
-}
-
-/* 2048 pixels across is the most that is drawn whole; a sub-pixel more is cut, and to what is in the picture that makes
- * no difference but where a cut's rounding moves an edge, by less than a sub-pixel. */
-static void a_sub_pixel_more_than_2048_pixels_is_cut(void **state)
-{
-    static const int32_t edge[] = {-GUARD - 2, -GUARD - 1, -GUARD, 1 - GUARD, GUARD - 1, GUARD, GUARD + 1, GUARD + 2};
-    long whole = 0, cut = 0, pixels = 0, moved = 0;
-    (void)state;
-    begin_flat();
-    random_seed(22);
-    for (int i = 0; i < 30000;) {
-        struct exact_triangle t = {.width = WIDTH, .height = HEIGHT};
-        int32_t p[4][3] = {{0}};
-        int outside = 0;
-        for (int k = 0; k < 3; k++) {
-            p[k][0] = random_bits() % 3 ? edge[random_bits() % 8] : random_between(-500, 500);
-            p[k][1] = random_bits() % 3 ? edge[random_bits() % 8] : random_between(-500, 500);
-            t.p[k] = (struct cover_point){p[k][0], -p[k][1]};
-            outside |= abs(p[k][0]) > GUARD || abs(p[k][1]) > GUARD;
-        }
-        draw(p, triangle[0].corner);
-        const uint32_t clipped = frame.frame.stats.clipped;
-        assert_int_equal(frame.frame.stats.dropped, 0);
-        if (exact_area(&t) < 0) {
-            const struct cover_point other = t.p[1];
-            t.p[1] = t.p[2];
-            t.p[2] = other;
-        }
-        int drawn = 0;
-        for (int y = 0; y < HEIGHT; y++)
-            for (int x = 0; x < WIDTH; x++) {
-                const int wanted = exact_area(&t) && exact_covers(&t, x, y), got = frame.picture[WIDTH * y + x] != 0;
-                pixels += wanted;
-                drawn += got;
-                if (wanted == got)
-                    continue;
-                moved++;
-                if (!outside || !touches(&t, x, y, 1))
-                    fail_msg("(%d, %d) (%d, %d) (%d, %d)/16 px: pixel (%d, %d)", t.p[0].x, t.p[0].y, t.p[1].x, t.p[1].y,
-                             t.p[2].x, t.p[2].y, x, y);
-            }
-        whole += drawn && !clipped;
-        cut += drawn && clipped;
-        i++;
-    }
-    print_message("%ld drawn whole, %ld cut; of %ld pixels %ld within a sub-pixel of a cut edge differ\n", whole, cut,
-                  pixels, moved);
-    assert_true(whole > 300 && cut > 3000 && pixels > 1000000);
-    end();
-}
 
 /* Perspective, exactly: the object at the eye, unturned, a position unit a distance of 1, `near` of them to the near
  * plane. The ray through (sx, sy) sub-pixels is (sx, -sy, -16 WIDTH). */
@@ -253,7 +89,7 @@ static void begin_perspective(int near, int far)
     scene.mesh[0].head.radius = 256 * CASE_UNIT;
     scene.head.camera.near_plane = near * 256;
     scene.head.camera.far_plane = far * 256;
-    begin();
+    clip_begin();
 }
 
 static long seen, sure, clipped;
@@ -267,7 +103,7 @@ static void check_floor(const int32_t p[4][3], int near, int far)
     for (int half = 0; half < 2; half++) {
         const uint16_t *c = triangle[half].corner;
         const int32_t *const q[3] = {p[c[0]], p[c[1]], p[c[2]]};
-        draw(p, c);
+        clip_draw(p, c);
         clipped += frame.frame.stats.clipped;
         assert_int_equal(frame.frame.stats.dropped, 0);
         for (int y = 0; y < HEIGHT; y++)
@@ -327,7 +163,7 @@ static void depth_ratios_of_4_and_more_are_drawn_where_they_are(void **state)
             check_floor(p, nears[n], 31000);
             i++;
         }
-        end();
+        clip_end();
     }
     print_message("%ld pixels, %ld certain, depth ratios from 4 to %.0f; depths at most %.1f off\n", seen, sure, ratio,
                   worst);
@@ -349,7 +185,7 @@ static void w_of_0_is_cut_and_nothing_is_drawn_twice(void **state)
         check_floor(p, 1, 31000);
         i++;
     }
-    end();
+    clip_end();
     print_message("%ld pixels, %ld certain, %ld cut; depths at most %.1f off\n", seen, sure, clipped, worst);
     assert_true(seen > 200000 && clipped > 2000 && worst < 5);
 }
@@ -367,19 +203,17 @@ static void all_behind_the_near_plane_is_nothing(void **state)
                 p[k][1] = random_between(-32767, 32767);
                 p[k][2] = i % 3 ? random_between(0, 32767) : -random_between(0, near - 1);
             }
-            draw(p, triangle[0].corner);
+            clip_draw(p, triangle[0].corner);
             assert_int_equal(frame.frame.stats.rejected, 1);
-            nothing_is_drawn();
+            clip_nothing_is_drawn();
         }
-        end();
+        clip_end();
     }
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_has_no_area_or_snaps_to_none_is_culled),
-        cmocka_unit_test(a_sub_pixel_more_than_2048_pixels_is_cut),
         cmocka_unit_test(depth_ratios_of_4_and_more_are_drawn_where_they_are),
         cmocka_unit_test(w_of_0_is_cut_and_nothing_is_drawn_twice),
         cmocka_unit_test(all_behind_the_near_plane_is_nothing),
