@@ -74,6 +74,9 @@ test-unit: deps-test ## Unit tests
 test-hard: deps-test ## A million random and a million lattice triangles against their definition in exact numbers, and hard cases by name
 	$(Q)tests/tools/run.sh hard
 
+test-hard-arm: deps-test ## Its finished pixels once more, by the loops that are written by hand for Cortex-M, in qemu-arm (3 minutes)
+	$(Q)tests/tools/run.sh hard-arm
+
 test-fuzz: deps-test ## What `make fuzz` found of interest, given to the parsers of streams again, and that it reaches all their lines
 	$(Q)tests/tools/run.sh fuzz
 
@@ -89,10 +92,10 @@ test-budget: deps-test ## Whether every pixel by auto stays within its budget of
 test-core: deps-test ## What the renderer may link, include, keep and stack, on every CPU
 	$(Q)tests/tools/run.sh core
 
-test-golden: deps-test ## The one list of picture hashes: every compiler, level and band height on the host
+test-golden: deps-test ## The one list of picture hashes: compilers, levels, band heights; 32 and 64-bit Arm, big-endian MIPS, WebAssembly
 	$(Q)tests/tools/run.sh golden
 
-test-device: deps-test ## The same list on emulated Cortex-M0, M0+, M3 and M4
+test-device: deps-test ## The same list on emulated Cortex-M0, M0+, M3, M4 and M7
 	$(Q)tests/tools/run.sh device
 
 test-rp2040: deps-test ## Frames on the display wires of an emulated PicoSystem, and their cycles
@@ -104,11 +107,17 @@ test-linux: deps-test ## The Linux boards' program on an emulated handheld, judg
 test-usb: deps-test ## Pictures over USB between glint-device and glint-view, with pulled cables and hostile hosts, in that handheld
 	$(Q)tests/tools/run.sh usb
 
-test-sanitize: deps-test ## Unit tests, command line and hashes under clang's sanitizers; firmware/ and hal/ under integer too
+test-sanitize: deps-test ## Unit tests, command line and hashes in checked arithmetic (firmware/fixed/checked.h) under clang's sanitizers
 	$(Q)tests/tools/run.sh sanitize
 
-test-exhaustive: deps-test ## Whole domains of the fixed-point functions (minutes)
+test-exhaustive: deps-test ## Whole domains of the fixed-point functions, and the plan's bounds (half an hour on 2 cores)
 	$(Q)tests/tools/run.sh exhaustive
+
+coverage: deps-coverage ## Lines, branches and MC/DC of firmware/ that the tests reach, by file: all but tests/coverage.txt (some minutes)
+	$(Q)$(MAKE) --no-print-directory coverage-run
+
+prove: deps-prove ## Frama-C proofs: no overflow, no access out of bounds, nothing undefined, every statement reached; PROOFS="fixed edges" of some
+	$(Q)$(MAKE) --no-print-directory prove-run
 
 fuzz: deps-test ## Make up bytes for the parsers of streams, SECONDS=60 for each; what breaks one is kept in build/fuzz/broken
 	$(Q)$(MAKE) --no-print-directory fuzz-search
@@ -161,7 +170,7 @@ deps: deps-test ## Install what building and testing need (DEPS=manual only prin
 
 deps-demo: ## Install what building the tool needs: `make deps-demo all` in a CI job
 
-deps-demo deps-view deps-test deps-linux:
+deps-demo deps-view deps-test deps-linux deps-prove deps-coverage:
 	$(Q)tests/tools/deps.sh $(@:deps-%=%)
 
 BOARD_DEPS := $(BOARD_SORT:board=test)
@@ -233,12 +242,16 @@ include tests/tools/rp2040.mk
 include tests/tools/linux.mk
 include tests/tools/faults.mk
 include tests/tools/fuzz.mk
+include tests/tools/checked.mk
 include tests/tools/hard.mk
+include tests/tools/targets.mk
+include tests/tools/prove.mk
+include tests/tools/coverage.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
-GOALS := all demo view test test-unit test-hard test-fuzz fuzz test-cli test-models test-budget test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive \
-	bench bench-boards bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-view deps-test deps-linux image run flash install clean help
+GOALS := all demo view test test-unit test-hard test-hard-arm test-fuzz fuzz test-cli test-models test-budget test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive prove coverage \
+	bench bench-boards bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-view deps-test deps-linux deps-prove deps-coverage image run flash install clean help
 .PHONY: $(GOALS) tool
 # Several are made one after another, also with -j: each calls a make of its own, in the same folder.
 ifneq ($(word 2,$(filter $(GOALS),$(MAKECMDGOALS))),)

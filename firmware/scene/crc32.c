@@ -12,6 +12,9 @@ uint32_t scene_crc32(uint32_t crc, const void *bytes, size_t size)
 {
     const uint8_t *p = bytes;
     crc = ~crc;
+    /*@ loop invariant 0 <= end - p <= size && end == p + (end - p);
+        loop assigns p, crc;
+        loop variant end - p; */
     for (const uint8_t *end = p + size; p != end; p++) {
         crc ^= *p;
         crc = crc >> 4 ^ nibble[crc & 15];

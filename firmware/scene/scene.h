@@ -2,7 +2,8 @@
 /*
  * The scene as it lies in flash: one blob, no pointers. Every reference is a byte offset from the start of the
  * header, a multiple of 4; integers are stored in the byte order of the machine that draws (little-endian from
- * `glint pack`). scene_check() looks at every byte of structure once; after it, no reader checks again.
+ * `glint pack`, unless told otherwise). scene_check() looks at every byte of structure once; after it, no reader checks
+ * again.
  *
  * Axes: right-handed, y up, the eye looks down -z. Lengths are in scene units, Q16 unless said otherwise; a bound on
  * a vector, as |p| < 2^14, is one on each of its components.

@@ -35,6 +35,10 @@ static bool colour_ok(const uint16_t c[3])
 static bool unit_ok(const q30_t *v, unsigned components)
 {
     int64_t excess = -((int64_t)1 << 60);
+    /*@ loop invariant 0 <= components <= \at(components, Pre) && v == \at(v, Pre) + (\at(components, Pre) - components);
+        loop invariant 0 <= excess + 0x1000000000000000 <= (\at(components, Pre) - components) * 0x2000000000000000;
+        loop assigns v, components, excess;
+        loop variant components; */
     for (; components; components--) {
         int32_t c = *v++;
         if (!in_range(c, -(1 << 30) - (1 << 10), (1 << 30) + (1 << 10) + 1))
@@ -110,8 +114,16 @@ static enum scene_fault check_vertices(const struct scene_header *s, const struc
 {
     const struct scene_vertex *v = scene_at(s, mesh->vertices);
     uint32_t furthest = 0;
+    /*@ loop invariant 0 <= i <= mesh->vertex_count && v == VERTICES(s, mesh) + i && furthest <= 3 * 0x40000000;
+        loop invariant \forall integer j, k; 0 <= j < i && 0 <= k < 3 ==> -16386 <= VERTICES(s, mesh)[j].normal[k] <= 16386;
+        loop assigns i, v, furthest;
+        loop variant mesh->vertex_count - i; */
     for (uint32_t i = 0; i < mesh->vertex_count; i++, v++) {
         uint32_t distance = 0, length = 0; /* squares: each at most 2^30, so three fit */
+        /*@ loop invariant 0 <= k <= 3 && distance <= k * 0x40000000 && length <= k * 0x40000000;
+            loop invariant \forall integer j; 0 <= j < k ==> v->normal[j] * v->normal[j] <= length;
+            loop assigns k, distance, length;
+            loop variant 3 - k; */
         for (int k = 0; k < 3; k++) {
             distance += (uint32_t)(v->position[k] * v->position[k]);
             length += (uint32_t)(v->normal[k] * v->normal[k]);
@@ -131,6 +143,9 @@ static enum scene_fault check_vertices(const struct scene_header *s, const struc
 static int bend_ok(const q14_t a[3], const q14_t b[3], uint16_t bend)
 {
     int32_t dot = 0; /* normals are near unit length: at most 2^28 (1 + 2^-12) in size, each product at most 2^28 */
+    /*@ loop invariant 0 <= k <= 3 && -k * 0x20000000 <= dot <= k * 0x20000000;
+        loop assigns k, dot;
+        loop variant 3 - k; */
     for (int k = 0; k < 3; k++)
         dot += a[k] * b[k];
     int32_t expected = ((1 << 28) - dot) >> 13;
@@ -141,13 +156,24 @@ static enum scene_fault check_tangents(const struct scene_header *s, const struc
 {
     const struct scene_tangent *t = scene_at(s, mesh->tangents);
     const struct scene_vertex *v = scene_at(s, mesh->vertices);
+    /*@ loop invariant 0 <= i <= mesh->vertex_count;
+        loop invariant mesh->tangents != 0 ==> v == VERTICES(s, mesh) + i && t == TANGENTS(s, mesh) + i;
+        loop assigns i, t, v;
+        loop variant mesh->vertex_count - i; */
     for (uint32_t i = 0; mesh->tangents && i < mesh->vertex_count; i++, t++, v++) {
         uint32_t length = 0; /* as in check_vertices() */
         int32_t across = 0;  /* of near unit vectors, once the other is known to be one */
+        /*@ loop invariant 0 <= k <= 3 && length <= k * 0x40000000;
+            loop invariant \forall integer j; 0 <= j < k ==> t->tangent[j] * t->tangent[j] <= length;
+            loop assigns k, length;
+            loop variant 3 - k; */
         for (int k = 0; k < 3; k++)
             length += (uint32_t)(t->tangent[k] * t->tangent[k]);
         if (!square_ok(length) || (t->sign != 1 && t->sign != -1))
             return SCENE_E_RANGE;
+        /*@ loop invariant 0 <= k <= 3 && -k * 0x20000000 <= across <= k * 0x20000000;
+            loop assigns k, across;
+            loop variant 3 - k; */
         for (int k = 0; k < 3; k++)
             across += t->tangent[k] * v->normal[k];
         if (!in_range(across, -(1 << 17), (1 << 17) + 1)) /* 2^-11 in Q28 */
@@ -167,14 +193,23 @@ static enum scene_fault check_triangles(const struct scene_header *s, const stru
 {
     const struct scene_triangle *t = scene_at(s, mesh->triangles);
     const struct scene_vertex *v = scene_at(s, mesh->vertices);
+    /*@ loop invariant 0 <= i <= mesh->triangle_count && t == TRIANGLES(s, mesh) + i;
+        loop assigns i, t;
+        loop variant mesh->triangle_count - i; */
     for (uint32_t i = 0; i < mesh->triangle_count; i++, t++) {
         if (t->flags >= 8 * TRIANGLE_QUADRATIC)
             return SCENE_E_RANGE;
+        /*@ loop invariant 0 <= k <= 3 && \forall integer j; 0 <= j < k ==> t->corner[j] < mesh->vertex_count;
+            loop assigns k;
+            loop variant 3 - k; */
         for (int k = 0; k < 3; k++)
             if (t->corner[k] >= mesh->vertex_count)
                 return SCENE_E_INDEX;
         if (t->material >= s->material_count || !mapped(mesh, &scene_materials(s)[t->material]))
             return SCENE_E_INDEX;
+        /*@ loop invariant 0 <= k <= 3;
+            loop assigns k;
+            loop variant 3 - k; */
         for (int k = 0; k < 3; k++)
             if (!bend_ok(v[t->corner[k]].normal, v[t->corner[k == 2 ? 0 : k + 1]].normal, t->bend[k]))
                 return SCENE_E_RANGE;
@@ -203,6 +238,9 @@ static enum scene_fault check_power(const struct fx_power *p)
 {
     bool ok = in_range(p->exponent, 1, FX_POWER_MAX_EXPONENT + 1) && p->octave <= FX_POWER_MAX_OCTAVE &&
               p->value[FX_POWER_STEPS] <= UNIT_Q15 && p->value[FX_POWER_STEPS + 1] == p->value[FX_POWER_STEPS];
+    /*@ loop invariant 0 <= i <= FX_POWER_STEPS;
+        loop assigns i, ok;
+        loop variant FX_POWER_STEPS - i; */
     for (unsigned i = 0; ok && i < FX_POWER_STEPS; i++)
         ok = p->value[i] <= p->value[i + 1];
     return ok ? SCENE_OK : SCENE_E_RANGE;
@@ -224,7 +262,6 @@ static enum scene_fault check_material(const struct scene_header *s, const struc
 
 static enum scene_fault check_texture(const struct scene_header *s, const struct scene_texture *t)
 {
-    const uint8_t *index = scene_at(s, t->texels);
     if (t->log2_width > 10 || t->log2_height > 10 || t->format >= TEXTURE_FORMATS ||
         (t->flags & ~(TEXTURE_BILINEAR | TEXTURE_CLAMP_U | TEXTURE_CLAMP_V)) != 0 || t->reserved != 0 ||
         (t->format == TEXTURE_BUMP8) != (t->steepness > 0) || t->steepness > TEXTURE_UNIT ||
@@ -234,9 +271,16 @@ static enum scene_fault check_texture(const struct scene_header *s, const struct
     if (!array_ok(s, t->texels, texels, t->format == TEXTURE_PALETTE8 ? 1 : 2) ||
         !array_ok(s, t->palette, t->steepness ? TEXTURE_RISES / 2 : t->colours, sizeof(uint32_t)))
         return SCENE_E_STRUCTURE;
+    const uint8_t *index = scene_at(s, t->texels);
+    /*@ loop invariant 0 <= i <= TEXTURE_RISES;
+        loop assigns i;
+        loop variant TEXTURE_RISES - i; */
     for (uint32_t i = 0; t->steepness && i < TEXTURE_RISES; i++)
         if (((const uint16_t *)scene_at(s, t->palette))[i] != texel_rise(t->steepness, i))
             return SCENE_E_RANGE;
+    /*@ loop invariant 0 <= i <= texels;
+        loop assigns i;
+        loop variant texels - i; */
     for (uint32_t i = 0; t->colours && t->colours < 256 && i < texels; i++)
         if (index[i] >= t->colours)
             return SCENE_E_INDEX;
@@ -254,13 +298,16 @@ static enum scene_fault check_motion(const struct scene_header *s, const struct 
 {
     if (m->kind > MOTION_KEYS || m->reserved != 0 || (m->kind == MOTION_KEYS) != (m->key_count > 0))
         return SCENE_E_RANGE;
-    if (m->kind == MOTION_SPIN && !(unit_ok(m->axis, 3) && in_range(m->rate, 1 - RATE_END, RATE_END)))
+    if (m->kind == MOTION_SPIN && (!unit_ok(m->axis, 3) || !in_range(m->rate, 1 - RATE_END, RATE_END)))
         return SCENE_E_RANGE;
     if (m->kind != MOTION_KEYS)
         return SCENE_OK;
     if (m->first_key >= s->key_count || m->key_count > s->key_count - m->first_key)
         return SCENE_E_INDEX;
     const struct scene_key *key = scene_keys(s) + m->first_key;
+    /*@ loop invariant 1 <= i <= m->key_count;
+        loop assigns i;
+        loop variant m->key_count - i; */
     for (unsigned i = 1; i < m->key_count; i++)
         if (key[i - 1].time_ms >= key[i].time_ms)
             return SCENE_E_RANGE;
@@ -294,18 +341,39 @@ enum scene_fault scene_check(const void *blob, size_t size)
         fault = check_camera(s);
     if (!fault)
         fault = check_fog(&s->fog);
+    /*@ loop invariant fault == SCENE_OK ==> GOOD(s) && i <= s->texture_count;
+        loop assigns i, fault;
+        loop variant s->texture_count - i; */
     for (unsigned i = 0; USES(USES_TEXTURE | USES_BUMP) && !fault && i < s->texture_count; i++)
         fault = check_texture(s, &scene_textures(s)[i]);
+    /*@ loop invariant fault == SCENE_OK ==> GOOD(s) && i <= s->mesh_count;
+        loop assigns i, fault;
+        loop variant s->mesh_count - i; */
     for (unsigned i = 0; !fault && i < s->mesh_count; i++)
         fault = check_mesh(s, &scene_meshes(s)[i]);
+    /*@ loop invariant fault == SCENE_OK ==> GOOD(s) && i <= s->power_count;
+        loop assigns i, fault;
+        loop variant s->power_count - i; */
     for (unsigned i = 0; !fault && i < s->power_count; i++)
         fault = check_power(&scene_powers(s)[i]);
+    /*@ loop invariant fault == SCENE_OK ==> GOOD(s) && i <= s->material_count;
+        loop assigns i, fault;
+        loop variant s->material_count - i; */
     for (unsigned i = 0; !fault && i < s->material_count; i++)
         fault = check_material(s, &scene_materials(s)[i]);
+    /*@ loop invariant fault == SCENE_OK ==> GOOD(s) && i <= s->key_count;
+        loop assigns i, fault;
+        loop variant s->key_count - i; */
     for (unsigned i = 0; !fault && i < s->key_count; i++)
         fault = check_key(&scene_keys(s)[i]);
+    /*@ loop invariant fault == SCENE_OK ==> GOOD(s) && i <= s->object_count;
+        loop assigns i, fault;
+        loop variant s->object_count - i; */
     for (unsigned i = 0; !fault && i < s->object_count; i++)
         fault = check_object(s, &scene_objects(s)[i]);
+    /*@ loop invariant fault == SCENE_OK ==> GOOD(s) && i <= s->light_count;
+        loop assigns i, fault;
+        loop variant s->light_count - i; */
     for (unsigned i = 0; !fault && i < s->light_count; i++)
         fault = check_light(s, &scene_lights(s)[i]);
     if (!fault && ((s->effects & ~USES_EFFECTS) != 0 || (scene_effects(s) & ~s->effects) != 0))

@@ -20,6 +20,9 @@ uint32_t texel_at(const struct scene_header *scene, const struct scene_texture *
 static uint32_t difference(uint32_t a, uint32_t b)
 {
     uint32_t most = 0;
+    /*@ loop invariant 0 <= shift <= 24 && shift % 8 == 0 && most <= 255;
+        loop assigns shift, most;
+        loop variant 24 - shift; */
     for (int shift = 0; shift < 24; shift += 8) {
         int32_t d = (int32_t)(a >> shift & 0xff) - (int32_t)(b >> shift & 0xff);
         uint32_t size = (uint32_t)(d < 0 ? -d : d);
@@ -32,7 +35,13 @@ uint16_t texel_contrast(const struct scene_header *scene, const struct scene_tex
 {
     const uint32_t width = 1u << texture->log2_width, height = 1u << texture->log2_height;
     uint32_t most = 0;
+    /*@ loop invariant 0 <= v <= height && most <= 255;
+        loop assigns v, most;
+        loop variant height - v; */
     for (uint32_t v = 0; v < height; v++)
+        /*@ loop invariant 0 <= u <= width && most <= 255;
+            loop assigns u, most;
+            loop variant width - u; */
         for (uint32_t u = 0; u < width; u++) {
             const uint32_t here = texel_at(scene, texture, v * width + u);
             const uint32_t right = u + 1 < width ? u + 1 : texture->flags & TEXTURE_CLAMP_U ? u : 0;

@@ -5,11 +5,11 @@
 
 #include "scene/scene.h"
 
-/* 565 as 0x00RRGGBB: a field's first bits are repeated below it, which is within .5 of what it stands for in 1/255. */
+/* 565 as 0x00RRGGBB, each field rounded to the nearest 1/255: 527/64 is 255/31 and 259/64 is 255/63, near enough. */
 static inline uint32_t texel_expand(uint32_t texel)
 {
-    const uint32_t red_blue = (texel & 0xf800) << 5 | (texel & 0x1f), green = texel & 0x07e0;
-    return red_blue << 3 | ((red_blue >> 2) & 0x70007) | green << 5 | ((green >> 1) & 0x300);
+    const uint32_t red = (texel >> 11) * 527 + 23, green = (texel >> 5 & 63) * 259 + 33, blue = (texel & 31) * 527 + 23;
+    return red >> 6 << 16 | green >> 6 << 8 | blue >> 6;
 }
 
 /* Texel `index` of a checked texture of colours, 0x00RRGGBB, rounded; of normals, 0x0000XXYY, each 128 more than it is.

@@ -61,7 +61,9 @@ int plane_setup(struct plane *plane, const int16_t *const p[3], unsigned width, 
 /* What quadratics need besides; once a triangle, before the first. */
 void plane_setup_quadratic(struct plane *plane);
 
-/* A linear channel from corner values, any two of them less than 2^16 apart; the channel's value is 2^16 times that. */
+/* A linear channel from corner values, any two of them less than 2^16 apart; the channel's value is 2^16 times that.
+ * Inside the triangle within 2^16 + 5 of it, which is 1/64 of a display unit; of more than 1024 pixels, where corner
+ * values are rounded, another 2^16 and at 2048 another 2^17; by corner values, 2^17 + 8. */
 void plane_linear(const struct plane *plane, const int32_t value[3], struct channel *channel);
 
 /* A linear channel of any 32-bit corner values, in 64 bits. */
@@ -69,7 +71,10 @@ void plane_linear_wide(const struct plane *plane, const int32_t value[3], struct
 
 /* A quadratic channel in Q30: corner values in Q14, |v| <= 2^14 + 2^11, and the bulges of the edges 0-1, 1-2, 2-0 in
  * Q28: Phi = sum Ii li - sum aij li lj, so that a mid-edge sample is (Ii + Ij) / 2 - aij / 4; for X-shading (eq. 32,
- * order-free) aij = (Ii + Ij) kij. |a| <= 2^28, which that is for unit normals. */
+ * order-free) aij = (Ii + Ij) kij, which for unit normals is below .77. |a| <= PLANE_MOST_BULGE: of alternating signs,
+ * 2^28 would make the mixed difference 2.14 * 2^30 at the lowest height; or 2^28 where an edge bends half as much, as
+ * colours do. */
+#define PLANE_MOST_BULGE ((1u << 28) / 32 * 29)
 void plane_quadratic(const struct plane *plane, const int32_t value[3], const int32_t bulge[3],
                      struct channel *channel);
 

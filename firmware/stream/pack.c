@@ -104,7 +104,7 @@ PACK_INLINE uint32_t pack_band(const struct pack_rows *rows, unsigned size, pack
     return (uint32_t)(out - rows->out);
 }
 
-/* Differences of red, green and blue; red and blue are expected to go along with green >> lag. Each is a signed number
+/* Pixels that differ: a pixel like the one before is copied. Differences of red, green and blue; red and blue are expected to go along with green >> lag. Each is a signed number
  * modulo its channel's range, so that the sum comes back. */
 PACK_INLINE uint8_t *pack_colour(uint8_t *out, int red, int green, int blue, unsigned lag, uint32_t pixel,
                                  unsigned size)
@@ -114,8 +114,8 @@ PACK_INLINE uint8_t *pack_colour(uint8_t *out, int red, int green, int blue, uns
         *out++ = (uint8_t)(sign << 3 | (g - 1) << 2 | r << 1 | b);
         return out;
     }
-    if (g == 0 && (red | blue) != 0 && (unsigned)(red + 1) <= 2 && (unsigned)(blue + 1) <= 2) {
-        int step = (red + 1) * 3 + blue + 1;
+    if (g == 0 && (unsigned)(red + 1) <= 2 && (unsigned)(blue + 1) <= 2) {
+        int step = (red + 1) * 3 + blue + 1; /* not 4 */
         *out++ = (uint8_t)(16 + step - (step > 4));
         return out;
     }
@@ -159,7 +159,7 @@ PACK_INLINE uint8_t *pack_difference_grey8(uint8_t *out, uint32_t before, uint32
     if (single && (unsigned)(difference + 4) < 8 && (unsigned)(out[-1] - 8) < 7) {
         int first = out[-1] - (out[-1] < 12 ? 12 : 11);
         out[-1] = (uint8_t)(PACK_WIDE | (first & 7) << 3 | (difference & 7));
-    } else if (difference != 0 && (unsigned)(difference + 12) <= 24) {
+    } else if ((unsigned)(difference + 12) <= 24) {
         *out++ = (uint8_t)(difference + (difference < 0 ? 12 : 11));
     } else {
         *out++ = PACK_LITERAL;
@@ -173,7 +173,7 @@ PACK_INLINE uint8_t *pack_difference_grey4(uint8_t *out, uint32_t before, uint32
     int left = pack_signed(pixel >> 4, before >> 4, 4), right = pack_signed(pixel, before, 4);
     int step = (left + 2) * 5 + right + 2;
     (void)single;
-    if ((unsigned)(left + 2) <= 4 && (unsigned)(right + 2) <= 4 && step != 12) {
+    if ((unsigned)(left + 2) <= 4 && (unsigned)(right + 2) <= 4) {
         *out++ = (uint8_t)(step - (step > 12));
     } else if ((unsigned)(left + 4) < 8 && (unsigned)(right + 4) < 8) {
         *out++ = (uint8_t)(PACK_WIDE | (left & 7) << 3 | (right & 7));

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "glint/cli.h"
 #include "glint/commands.h"
+#include "pack/order.h"
 #include "pack/report.h"
 #include "pack/uses.h"
 
@@ -18,6 +19,7 @@ static const char pack_help[] =
     "  -o, --output FILE          write the blob (.glt), or the same as const C (.c); - is standard output\n"
     "      --output-format glt|c  whatever the output's name\n"
     "      --name NAME            C identifier of the array (default: from the name of the output file)\n"
+    "      --byte-order little|big  of the machine that is to draw it (default: little)\n"
     "      --shininess N          give every material this exponent, 1..1023\n"
     "      --uses FORMATS         print what a program that draws these scenes must be compiled with "
     "(firmware/uses.h);\n"
@@ -29,10 +31,12 @@ struct pack_arguments {
     struct pack_options options;
     uint32_t uses; /* formats; 0: not asked */
     int format;    /* index into pack_formats */
+    int big;       /* index into pack_orders */
 };
 
 static const char *const pack_formats[] = {"glt", "c"};
 enum { PACK_GLT, PACK_C };
+static const char *const pack_orders[] = {"little", "big"};
 
 static bool pack_ends_with(const char *path, const char *ending)
 {
@@ -46,6 +50,7 @@ static int pack_parse(int argc, char **argv, struct pack_arguments *a)
     static const struct option long_options[] = {{"output", required_argument, NULL, 'o'},
                                                  {"output-format", required_argument, NULL, 'f'},
                                                  {"name", required_argument, NULL, 'n'},
+                                                 {"byte-order", required_argument, NULL, 'b'},
                                                  {"shininess", required_argument, NULL, 's'},
                                                  {"uses", required_argument, NULL, 'u'},
                                                  {"help", no_argument, NULL, 'h'},
@@ -65,6 +70,10 @@ static int pack_parse(int argc, char **argv, struct pack_arguments *a)
             if (!pack_is_name(optarg))
                 return cli_usage(pack_command, "--name is a C identifier that is not taken, not '%s'", optarg);
             a->name = optarg;
+            break;
+        case 'b':
+            if ((a->big = cli_choice(optarg, pack_orders, 2)) < 0)
+                return cli_usage(pack_command, "--byte-order is little or big, not '%s'", optarg);
             break;
         case 's':
             if (!cli_number(optarg, 1, FX_POWER_MAX_EXPONENT, &number))
@@ -118,11 +127,19 @@ static int pack_print_uses(char **paths, uint32_t uses, const struct pack_option
     return CLI_DONE;
 }
 
+static int pack_write(const struct pack_arguments *a, const struct pack_result *result)
+{
+    char name[128];
+    if (a->format == PACK_GLT)
+        return pack_write_blob(a->output, result);
+    pack_name(a->output, name, sizeof name);
+    return pack_write_c(a->output, a->name ? a->name : name, result);
+}
+
 int cmd_pack(int argc, char **argv)
 {
     struct pack_arguments a = {.format = -1};
-    struct pack_result result;
-    char name[128];
+    struct pack_result result, swapped = {0};
     argv[0] = (char *)(uintptr_t)pack_command;
     int code = pack_parse(argc, argv, &a);
     if (code >= 0)
@@ -134,13 +151,13 @@ int cmd_pack(int argc, char **argv)
         return code;
     if (a.output)
         cli_catch_signals();
-    if (a.output && a.format == PACK_C) {
-        pack_name(a.output, name, sizeof name);
-        code = pack_write_c(a.output, a.name ? a.name : name, &result);
-    } else if (a.output)
-        code = pack_write_blob(a.output, &result);
+    if (a.big)
+        order_swap(&result, &swapped);
+    if (a.output)
+        code = pack_write(&a, a.big ? &swapped : &result);
     if (!code) /* not among the output's bytes */
         report_print(a.output && !strcmp(a.output, "-") ? stderr : stdout, &result);
     pack_free(&result);
+    pack_free(&swapped);
     return code;
 }

@@ -2,6 +2,7 @@
 #include "pack/pack.h"
 
 #include "host/sink.h"
+#include "pack/order.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -47,6 +48,7 @@ int pack_write_c(const char *path, const char *name, const struct pack_result *r
     for (size_t i = 0; i < result->size; i += 4) {
         uint32_t word = 0; /* a ready-made blob may end inside a word */
         memcpy(&word, bytes + i, result->size - i < 4 ? result->size - i : 4);
+        word = order_is_swapped(result->scene) ? __builtin_bswap32(word) : word; /* its compiler has that order */
         fprintf(sink.stream, "%s0x%08x,", i % 32 ? " " : "\n    ", (unsigned)word);
     }
     fputs("\n};\n", sink.stream);

@@ -8,13 +8,14 @@
  *   unserved    an exception that nobody serves
  *   deep N      writes N bytes of stack; then "used M of S", or stack_check()'s fault
  *   second N    on the second CPU: an undefined instruction if N is 0, or it writes N bytes of stack; then as deep
- *   busy N      looks at the serial line after N ms only, and says what has come: "got TEXT, lost N"
+ *   busy        says "busy", looks at the serial line after a button only, and says what has come: "got TEXT, lost N"
  *   clock N     reads the time N times, every other with interrupts masked: "N steps back"
  */
 #include "app/crash.h"
 #include "clock.h"
 #include "cortexm/machine.h"
 #include "cortexm/stack.h"
+#include "input.h"
 #include "serial.h"
 #include "tests/device/program.h"
 
@@ -85,11 +86,13 @@ static void faults_clock(uint32_t count)
     line_end(&line);
 }
 
-static void faults_busy(uint32_t ms)
+static void faults_busy(void)
 {
     struct line line = {.length = 0};
     char text[32];
-    clock_wait_us(1000 * ms);
+    machine_write("busy\n");
+    while (input_buttons() == 0)
+        ;
     machine_write("got ");
     for (uint32_t count; (count = serial_read(text, sizeof text - 1)) != 0;) {
         text[count] = 0;
@@ -126,7 +129,7 @@ static void faults_obey(char *line, const struct board *board)
     else if (text_equal(line, "unserved"))
         __asm volatile("svc #0");
     else if (text_equal(line, "busy"))
-        faults_busy(value);
+        faults_busy();
     else if (text_equal(line, "clock"))
         faults_clock(value);
     else {

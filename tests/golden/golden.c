@@ -60,6 +60,15 @@ static int golden_wants(const struct glint_choice *method, const struct golden_f
     return wanted;
 }
 
+/* Hashed is what a little-endian machine holds: pixels of 16 bits are turned round on another. */
+static void golden_order(const struct glint_config *config, const struct glint_band *band)
+{
+    uint16_t *pixels = band->pixels, *end = pixels + band->rows * band->stride / 2;
+    if (__BYTE_ORDER__ == __ORDER_BIG_ENDIAN__ && config->format == GLINT_RGB565)
+        for (; pixels != end; pixels++)
+            *pixels = __builtin_bswap16(*pixels);
+}
+
 /* The hash of one picture; 0 and a complaint in `line` if it could not be drawn. */
 static uint32_t golden_hash(struct glint_config *config, const struct scene_header *scene, uint32_t time_ms,
                             struct line *line)
@@ -79,8 +88,10 @@ static uint32_t golden_hash(struct glint_config *config, const struct scene_head
         line_decimal(line, (uint32_t)-error);
         return 0;
     }
-    while (glint_frame_next_band(&frame, &band))
+    while (glint_frame_next_band(&frame, &band)) {
+        golden_order(config, &band);
         hash = scene_crc32(hash, band.pixels, band.rows * band.stride);
+    }
     if (frame.stats.dropped)
         line_text(line, " dropped");
     return hash;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * How far a channel's whole coefficients may be from the rationals that they stand for (exact.h), in units of the
- * channel's last place. Each bound adds up what the ways of shade/plane.h round, step by step; nothing is measured:
+ * How far a channel's whole coefficients may be from the rationals that they stand for (exact_rational.h), in units of
+ * the channel's last place. Each bound adds up what the ways of shade/plane.h round, step by step; nothing is measured:
  *
  *   the reciprocal    errs by 2^-30.46 of itself (fixed.h), 2.91 * 2^-32; halved it loses 2^-31 more: 5 * 2^-32
  *   its square        5.82 * 2^-32, and less than a unit of 2^29 (in 64 bits: of 2^30): 14 (10) * 2^-32
@@ -10,7 +10,7 @@
 #ifndef EXACT_BOUNDS_H
 #define EXACT_BOUNDS_H
 
-#include "exact.h"
+#include "exact_rational.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -107,21 +107,23 @@ static inline struct exact_bounds exact_quadratic_bounds(const struct exact_tria
 }
 
 /* In 64 bits, Q46 until the end: eq. 32's coefficients of second order drop 3/4 of Q26, 12 of Q30; the coefficients are
- * rounded by half a unit. plane_linear_wide() is the same without second differences. */
-static inline struct exact_bounds exact_wide_bounds(const struct exact_triangle *t, const struct exact_polynomial *p)
+ * rounded by half a unit. Linear ones have no second differences. */
+static inline struct exact_bounds exact_wide_bounds(const struct exact_triangle *t, const struct exact_polynomial *p,
+                                                    int quadratic)
 {
     const struct exact_frame f = exact_frame(t);
     const double A = exact_size(p->a, p->den), B = exact_size(p->b, p->den), C = exact_size(p->c, p->den);
     const double x = f.from_x, y = f.from_y, area2 = f.area * f.area;
     const double slope_x = exact_size(p->d, p->den) / 16 + A * x / 128 + C * y / 256,
                  slope_y = exact_size(p->e, p->den) / 16 + B * y / 128 + C * x / 256;
+    const double dropped = quadratic ? 12 / area2 : 0;
     const double first = exact_product_error(f.up - 15) * 0x1p-16,
-                 second = exact_product_error(2 * f.up - 42) * 0x1p-16;
+                 second = quadratic ? exact_product_error(2 * f.up - 42) * 0x1p-16 : 0;
     const double gx = first + slope_x * 3 * 0x1p-32, gy = first + slope_y * 3 * 0x1p-32;
-    const double ax = second + A / 256 * 10 * 0x1p-32 + 12 * (f.y1 * f.y1 + f.y2 * f.y2 + f.y1 * f.y2) / area2,
-                 ay = second + B / 256 * 10 * 0x1p-32 + 12 * (f.x1 * f.x1 + f.x2 * f.x2 + f.x1 * f.x2) / area2,
+    const double ax = second + A / 256 * 10 * 0x1p-32 + dropped * (f.y1 * f.y1 + f.y2 * f.y2 + f.y1 * f.y2),
+                 ay = second + B / 256 * 10 * 0x1p-32 + dropped * (f.x1 * f.x1 + f.x2 * f.x2 + f.x1 * f.x2),
                  axy = second + C / 256 * 10 * 0x1p-32 +
-                       12 * (2 * f.x1 * f.y1 + 2 * f.x2 * f.y2 + f.x1 * f.y2 + f.x2 * f.y1) / area2;
+                       dropped * (2 * f.x1 * f.y1 + 2 * f.x2 * f.y2 + f.x1 * f.y2 + f.x2 * f.y1);
     return (struct exact_bounds){.f = gx * x + gy * y + ax * x * x + ay * y * y + axy * x * y + .5,
                                  .d = 16 * (gx + 2 * ax * x + axy * y) + .5,
                                  .e = 16 * (gy + 2 * ay * y + axy * x) + .5,

@@ -4,111 +4,35 @@
  * `exact_triangles PART PARTS` takes a share of EACH of both. A triangle is tried from each of its corners, refused the
  * other way round, cut into bands of every height, and every 64th into every rectangle of its picture.
  */
-#include "exact_bounds.h"
+#include "exact_covered.h"
 #include "geometry/transform.h"
-#include "raster/edges.h"
 #include "tests/unit/random.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-
 #define EACH 1000000
-#define SIDE 24 /* of the largest picture of which each pixel is looked at */
 
-static struct counts {
-    long triangles, pixels, slivers, slim, refused, rectangles, depth_off[4];
-    double closest[4]; /* of the bounds: linear, quadratic, in 64 bits, corner values */
-    double worst[2];   /* values' errors in display units: linear, quadratic */
-} counts;
+/* What is interpolated: depth; a dot product, linear and bent; whatever 32 bits hold, in 64 bits, linear and bent. */
+enum kind { DEPTH, DOT, BENT, ANY, ANY_BENT, KINDS };
 
-static struct exact_triangle triangle;
-
-static void fail(const char *what, int x, int y)
+/* The depth at the first covered pixel of the rectangle that is now the picture, whose corner is (left, top) of the
+ * picture's: the same bits as in `whole`. */
+static void check_same_value(const struct plane *whole, const struct channel *depth, const int32_t value[3], int left,
+                             int top)
 {
-    const struct cover_point *p = triangle.p;
-    printf("FAIL %s: (%d, %d) (%d, %d) (%d, %d)/16 px in %u x %u, pixel (%d, %d)\n", what, p[0].x, p[0].y, p[1].x,
-           p[1].y, p[2].x, p[2].y, triangle.width, triangle.height, x, y);
-    exit(1);
-}
-
-static void near(int kind, double off, double bound, const char *what, int x, int y)
-{
-    if (!(fabs(off) <= bound))
-        fail(what, x, y);
-    const double part = bound > 0 ? fabs(off) / bound : 0;
-    if (part > counts.closest[kind])
-        counts.closest[kind] = part;
-}
-
-/* Corners as the renderer has them, from `first` on. */
-static const int16_t *const *places(int first, int step)
-{
-    static int16_t xy[3][2];
-    static const int16_t *const p[3] = {xy[0], xy[1], xy[2]};
-    for (int k = 0; k < 3; k++) {
-        const struct cover_point *from = &triangle.p[(first + 3 + step * k) % 3];
-        xy[k][0] = (int16_t)from->x;
-        xy[k][1] = (int16_t)from->y;
+    for (int y = top; y < top + (int)triangle.height; y++) {
+        const int x = wanted[y].x0 > left ? wanted[y].x0 : left;
+        struct plane plane;
+        struct channel channel;
+        int32_t got, same;
+        if (x >= wanted[y].x1 || x >= left + (int)triangle.width)
+            continue;
+        plane_setup(&plane, places(0, 1), triangle.width, triangle.height);
+        plane_linear(&plane, value, &channel);
+        plane_values(&plane, &channel, x - left, y - top, 1, &got);
+        plane_values(whole, depth, x, y, 1, &same);
+        if (got != same)
+            fail("a value in a rectangle", x, y);
+        return;
     }
-    return p;
-}
-
-/* Which pixels of each row it covers, one by one. */
-static struct span wanted[SIDE];
-static int area_of_picture;
-
-static void find_wanted(void)
-{
-    area_of_picture = 0;
-    for (int y = 0; y < (int)triangle.height; y++) {
-        struct span row = {0, 0};
-        int runs = 0, before = 0;
-        for (int x = 0; x < (int)triangle.width; x++) {
-            const int now = exact_covers(&triangle, x, y);
-            if (now && !before) {
-                row.x0 = (int16_t)x;
-                runs++;
-            }
-            if (now)
-                row.x1 = (int16_t)(x + 1);
-            area_of_picture += now;
-            before = now;
-        }
-        if (runs > 1)
-            fail("the definition is not convex", 0, y);
-        wanted[y] = row;
-    }
-}
-
-/* The spans of rows [from, to), `most` at a time, are those of the definition, whose first row and column are (left,
- * top) of the picture's. */
-static void check_spans(const int16_t *const *p, int width, int height, int from, int to, int most, int left, int top)
-{
-    struct edges e;
-    struct span got[SIDE];
-    int y = from;
-    if (edges_setup(&e, p, (unsigned)width, (unsigned)height, from, to)) {
-        for (; y < e.row; y++)
-            if (wanted[y + top].x1 > left && wanted[y + top].x0 < left + width &&
-                wanted[y + top].x1 > wanted[y + top].x0)
-                fail("a row is left out", left, y + top);
-        while (e.row < e.last) {
-            const int count = edges_spans(&e, width, got, most);
-            if (count < 1 || count > most || e.row != y + count)
-                fail("a count of rows", count, y);
-            for (int i = 0; i < count; i++, y++) {
-                int x0 = wanted[y + top].x0 - left, x1 = wanted[y + top].x1 - left;
-                x0 = x0 < 0 ? 0 : x0;
-                x1 = x1 > width ? width : x1;
-                const int none = x1 <= x0, nothing = got[i].x1 <= got[i].x0;
-                if (none != nothing || (!none && (got[i].x0 != x0 || got[i].x1 != x1)))
-                    fail("a span", got[i].x0 + left, y + top);
-            }
-        }
-    }
-    for (; y < to; y++)
-        if (wanted[y + top].x1 > wanted[y + top].x0 && wanted[y + top].x1 > left && wanted[y + top].x0 < left + width)
-            fail("a row is left out below", left, y + top);
 }
 
 /* Every rectangle of the picture as a picture of its own, and every cut of it into two bands. */
@@ -116,6 +40,11 @@ static void check_rectangles(void)
 {
     const struct exact_triangle whole = triangle;
     const int w = (int)whole.width, h = (int)whole.height;
+    const int32_t value[3] = {DEPTH_FAR, DEPTH_NEAR, random_between(DEPTH_FAR, DEPTH_NEAR)};
+    struct plane plane;
+    struct channel depth;
+    plane_setup(&plane, places(0, 1), whole.width, whole.height);
+    plane_linear(&plane, value, &depth);
     for (int x0 = 0; x0 < w; x0++)
         for (int x1 = x0 + 1; x1 <= w; x1++)
             for (int y0 = 0; y0 < h; y0++)
@@ -124,7 +53,10 @@ static void check_rectangles(void)
                         triangle.p[k].x = whole.p[k].x + 8 * (w - x0 - x1);
                         triangle.p[k].y = whole.p[k].y + 8 * (h - y0 - y1);
                     }
+                    triangle.width = (unsigned)(x1 - x0);
+                    triangle.height = (unsigned)(y1 - y0);
                     check_spans(places(0, 1), x1 - x0, y1 - y0, 0, y1 - y0, SIDE, x0, y0);
+                    check_same_value(&plane, &depth, value, x0, y0);
                     counts.rectangles++;
                 }
     triangle = whole;
@@ -148,21 +80,21 @@ static void check_coefficients(int kind, const struct polynomial *got, const str
 /* What all of it may add up to inside the triangle (plane.c), in display units of Q22: linear 1/64, and beyond 1024
  * pixels what corner differences are rounded by, half of 2 or 4 units of Q14 at each of two; quadratic 1/5 and 3/16, or
  * beyond 1024 pixels 1/2. */
-static void check_error(const struct exact_triangle *t, int kind, double off, int x, int y)
+static void check_error(const struct exact_triangle *t, enum kind kind, double off, int x, int y)
 {
     const int scale = exact_frame(t).scale;
     const double lost = scale < 0 ? ldexp(1, -scale - 1) / 64 : 0, error = fabs(off) * 0x1p-22,
-                 bound = kind < 2 ? 1. / 64 + lost : 1. / 5 + (scale < 0 ? 1. / 2 : 3. / 16);
+                 bound = kind != BENT ? 1. / 64 + lost : 1. / 5 + (scale < 0 ? 1. / 2 : 3. / 16);
     if (error > bound)
-        fail(kind < 2 ? "a linear value's error" : "a quadratic value's error", x, y);
-    if (kind && error > counts.worst[kind - 1])
-        counts.worst[kind - 1] = error;
+        fail(kind != BENT ? "a linear value's error" : "a quadratic value's error", x, y);
+    if (kind != DEPTH && error > counts.worst[kind == BENT])
+        counts.worst[kind == BENT] = error;
 }
 
 /* All covered pixels: of a polynomial, exactly what its coefficients say, and at the ends of rows not too far from what
  * it should be; of corner values, within their bound. */
 static void check_values(const struct exact_triangle *t, const struct plane *plane, const struct channel *channel,
-                         const struct exact_quantity *q, int kind)
+                         const struct exact_quantity *q, enum kind kind)
 {
     int32_t got[SIDE];
     const exact_t den = (exact_t)exact_area(t) * exact_area(t);
@@ -177,7 +109,7 @@ static void check_values(const struct exact_triangle *t, const struct plane *pla
                      exact_corner_bound(q, channel->exact == PLANE_EXACT_WIDE), "a value by corners", x0 + i, y);
             else if ((uint32_t)got[i] != exact_at(&channel->p, x0 + i - plane->ox, y - plane->oy))
                 fail("a value", x0 + i, y);
-            else if (i == 0 || i == n - 1)
+            else if (kind < ANY && (i == 0 || i == n - 1))
                 check_error(t, kind, exact_off((uint32_t)got[i], exact_value(t, q, x0 + i, y), den), x0 + i, y);
         }
     }
@@ -206,44 +138,52 @@ static void check_depth(const struct exact_triangle *t, const struct plane *plan
         }
 }
 
-static void random_quantity(struct exact_quantity *q, int kind)
+static void random_quantity(struct exact_quantity *q, enum kind kind)
 {
     const int extreme = random_bits() & 1;
-    q->unit = 65536;
+    q->unit = kind == ANY ? 1 : 65536;
     for (int k = 0; k < 3; k++) {
         q->bulge[k] = 0;
-        if (kind == 0)
+        if (kind == DEPTH)
             q->value[k] =
                 extreme ? (random_bits() & 1 ? DEPTH_FAR : DEPTH_NEAR) : random_between(DEPTH_FAR, DEPTH_NEAR);
+        else if (kind == ANY)
+            q->value[k] = extreme ? (random_bits() & 1 ? INT32_MIN : INT32_MAX) : (int32_t)random_bits();
         else
             q->value[k] = extreme ? random_between(0, 1) * 32768 - 16384 : random_between(-16384, 16384);
-        if (kind == 2)
+        if (kind == BENT)
             q->bulge[k] = extreme ? random_between(0, 1) * (1 << 29) - (1 << 28) : random_between(-(1 << 28), 1 << 28);
+        if (kind == ANY_BENT)
+            q->bulge[k] =
+                extreme ? (random_bits() & 1 ? -INT32_MAX : INT32_MAX) : random_between(-INT32_MAX, INT32_MAX);
     }
 }
 
 /* One channel, by the way it goes. */
-static void check_channel(const struct exact_triangle *t, struct plane *plane, int kind)
+static void check_channel(const struct exact_triangle *t, struct plane *plane, enum kind kind)
 {
     struct exact_quantity q;
     struct channel channel;
-    struct exact_bounds bounds;
     random_quantity(&q, kind);
-    const int wide = kind == 2 && (plane->thin || plane->far);
-    if (kind == 2)
-        plane_quadratic(plane, q.value, q.bulge, &channel);
-    else
+    const int linear = kind <= DOT, wide = kind >= ANY || (kind == BENT && (plane->thin || plane->far));
+    if (linear)
         plane_linear(plane, q.value, &channel);
+    else if (kind == BENT)
+        plane_quadratic(plane, q.value, q.bulge, &channel);
+    else if (kind == ANY)
+        plane_linear_wide(plane, q.value, &channel);
+    else
+        plane_quadratic_large(plane, q.value, q.bulge, &channel);
     if (!channel.exact) {
         const struct exact_polynomial p = exact_polynomial(t, &q, plane->ox, plane->oy);
-        bounds = kind < 2 ? exact_linear_bounds(t, &p)
-                 : wide   ? exact_wide_bounds(t, &p)
-                          : exact_quadratic_bounds(t, &p);
-        check_coefficients(kind < 2 ? 0 : wide ? 2 : 1, &channel.p, &p, &bounds);
+        const struct exact_bounds bounds = linear ? exact_linear_bounds(t, &p)
+                                           : wide ? exact_wide_bounds(t, &p, kind != ANY)
+                                                  : exact_quadratic_bounds(t, &p);
+        check_coefficients(linear ? 0 : wide ? 2 : 1, &channel.p, &p, &bounds);
     }
     if (area_of_picture)
         check_values(t, plane, &channel, &q, kind);
-    if (area_of_picture && kind == 0)
+    if (area_of_picture && kind == DEPTH)
         check_depth(t, plane, &channel, &q);
 }
 
@@ -258,7 +198,7 @@ static void check_set_up(int first)
     if (plane.ox != o.x || plane.oy != o.y || plane.fx != o.from_x || plane.fy != o.from_y)
         fail("the origin", plane.ox, plane.oy);
     plane_setup_quadratic(&plane);
-    for (int kind = 0; kind < 3; kind++)
+    for (enum kind kind = DEPTH; kind < KINDS; kind++)
         check_channel(&t, &plane, kind);
     counts.slivers += plane.sliver;
     counts.slim += plane.slim;

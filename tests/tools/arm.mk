@@ -9,6 +9,7 @@ CPU_m0 := -mcpu=cortex-m0
 CPU_m0plus := -mcpu=cortex-m0plus
 CPU_m3 := -mcpu=cortex-m3
 CPU_m4 := -mcpu=cortex-m4
+CPU_m7 := -mcpu=cortex-m7
 ARM_OPT := -O2
 ARM_FLAGS := -mthumb -mfloat-abi=soft -std=c11 $(WARN) $(INCLUDE) $(ARM_OPT) -g -ffreestanding -ffunction-sections \
 	-fdata-sections -fno-tree-loop-distribute-patterns -fstack-usage -fcallgraph-info=su
@@ -55,7 +56,7 @@ $(BUILD)/$(1)/%.o: %.c $$(USES_$(1))
 	$$(Q)$$(ARM)gcc $$(CPU_$(1)) $$(ARM_FLAGS) $$(if $$(filter $$<,$$(COLD_SRC)),-Os) $$(DEFS_$(1)) $$(addprefix -include ,$$(USES_$(1))) -MMD -MP -c $$< -o $$@
 -include $$(shell find $(BUILD)/$(1) -name '*.d' 2>/dev/null)
 endef
-$(foreach c,m0 $(CPUS),$(eval $(call cpu_rules,$(c))))
+$(foreach c,m0 m7 $(CPUS),$(eval $(call cpu_rules,$(c))))
 DEFS_m0 := -DGOLDEN_SMALL
 DEFS_m0plus := -DPROGRAM_COUNTS
 DEFS_m3 := -DPROGRAM_COUNTS
@@ -100,7 +101,7 @@ $(SCENE_DIR)/behind_list.c: tests/tools/scene_list.sh tests/tools/arm.mk
 $(foreach c,$(PLAIN_CPUS),$(eval $(call plain_rules,$(c))))
 PLAIN_ELF := $(foreach c,$(PLAIN_CPUS),$(foreach p,plain plain-without plain-all plain-behind,$(BUILD)/$(c)/$(p).elf))
 
-$(foreach c,$(CPUS),$(eval $(call image_rule,$(c),golden,$(GOLDEN_C),$(MPS2_HAL),$(MPS2_LINK))))
+$(foreach c,m7 $(CPUS),$(eval $(call image_rule,$(c),golden,$(GOLDEN_C),$(MPS2_HAL),$(MPS2_LINK))))
 $(foreach c,$(CPUS),$(eval $(call image_rule,$(c),bench,$(BENCH_C),$(MPS2_HAL),$(MPS2_LINK))))
 # The report's, compiled for its scenes and format as a board's program is; and for everything, as forms of the power want.
 $(foreach c,$(REPORT_CPUS),$(eval $(call image_rule,$(c),report,$(REPORT_C),$(MPS2_HAL),$(MPS2_LINK))))

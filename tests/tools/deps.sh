@@ -1,24 +1,36 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# Finds which Debian packages a target lacks, says so and installs them. `deps.sh demo|view|test|linux`; DEPS=manual only prints
+# Finds which Debian packages a target lacks, says so and installs them. `deps.sh demo|view|test|linux|prove|coverage`; DEPS=manual only prints
 # the command and fails if something is missing.
 set -u
 
 demo="gcc pkg-config libc6-dev libpng-dev libjansson-dev libassimp-dev zlib1g-dev"
 view="$demo libusb-1.0-0-dev libsdl2-dev"
 test="$view xvfb xdotool libcmocka-dev clang clang-runtime clang-format clang-tidy cppcheck valgrind python3 gcc-arm-none-eabi qemu-system-arm
-      gnuplot-nox assimp-testmodels nodejs npm gcc-arm-linux-gnueabihf libc6-dev-armhf-cross device-tree-compiler cpio"
+      gnuplot-nox assimp-testmodels nodejs npm gcc-arm-linux-gnueabihf libc6-dev-armhf-cross device-tree-compiler cpio
+      qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-mips-linux-gnu libc6-dev-mips-cross lld"
 # A Linux board's program is built on the board itself, or crosswise.
 linux="$demo $(case $(uname -m) in arm* | aarch64) echo libgpiod-dev ;; *) echo gcc-arm-linux-gnueabihf libc6-dev-armhf-cross ;; esac)"
+prove="gcc python3 frama-c-base why3 z3 cvc4 gappa"
+coverage="$test clang-19 llvm-19 clang-runtime-19"
 
 # A tool that came by another way than apt serves as well; a library needs its package or its pkg-config file.
 have() {
     case $1 in
     device-tree-compiler) command -v dtc ;;
+    llvm-19) command -v llvm-cov-19 && command -v llvm-profdata-19 ;;
+    clang-runtime-19) [ -e "$(clang-19 -print-file-name="libclang_rt.profile-$(uname -m).a")" ] ;;
+    frama-c-base) command -v frama-c ;;
     gcc-arm-none-eabi) command -v arm-none-eabi-gcc && command -v arm-none-eabi-nm ;;
     nodejs) command -v node ;;
     gcc-arm-linux-gnueabihf) command -v arm-linux-gnueabihf-gcc ;;
     libc6-dev-armhf-cross) [ -e /usr/arm-linux-gnueabihf/include/stdio.h ] ;;
+    gcc-aarch64-linux-gnu) command -v aarch64-linux-gnu-gcc ;;
+    gcc-mips-linux-gnu) command -v mips-linux-gnu-gcc ;;
+    libc6-dev-arm64-cross) [ -e /usr/aarch64-linux-gnu/include/stdio.h ] ;;
+    libc6-dev-mips-cross) [ -e /usr/mips-linux-gnu/include/stdio.h ] ;;
+    qemu-user) command -v qemu-arm && command -v qemu-aarch64 && command -v qemu-mips ;;
+    lld) command -v wasm-ld ;;
     libgpiod-dev) pkg-config --exists libgpiod ;;
     gnuplot-nox) command -v gnuplot ;;
     libpng-dev) pkg-config --exists libpng ;;
@@ -38,6 +50,7 @@ have() {
 
 # The sanitizers' package carries clang's version in its name.
 name_of() {
+    [ "$1" = clang-runtime-19 ] && { echo libclang-rt-19-dev; return; }
     [ "$1" = clang-runtime ] || { echo "$1"; return; }
     major=$(apt-cache depends clang 2>/dev/null | sed -n 's/.*Depends: clang-\([0-9]*\)$/\1/p')
     echo "libclang-rt-${major:-14}-dev"
@@ -54,8 +67,10 @@ demo) wanted=$demo ;;
 view) wanted=$view ;;
 test) wanted=$test ;;
 linux) wanted=$linux ;;
+prove) wanted=$prove ;;
+coverage) wanted=$coverage ;;
 *)
-    echo "usage: deps.sh demo|view|test|linux" >&2
+    echo "usage: deps.sh demo|view|test|linux|prove|coverage" >&2
     exit 2
     ;;
 esac

@@ -11,4 +11,21 @@ suite-hard: $(EXACT_BIN) $(HARD_BIN)
 	for program in $(HARD_BIN); do echo "# $$program"; $$program || { code=$$?; status=1; \
 		[ $$code -lt 126 ] || echo "FAIL $$program: status $$code"; }; done; exit $$status
 
-.PHONY: suite-hard
+# The loops that are written by hand for Cortex-M, of ARMv6-M and of ARMv7-M, in a program for Linux: both are Thumb.
+HARD_ARM := 6M 7M
+define hard_arm_rule
+$(BUILD)/hard-arm/$(1)/%.o: %.c
+	$$(call say,CC,'$$< (ARMv$(1))')
+	@mkdir -p $$(@D)
+	$$(Q)arm-linux-gnueabihf-gcc -march=armv7-a+fp -mthumb -D__ARM_ARCH_$(1)__=1 $(HOST_FLAGS) -Itests/hard/arm $$(OPT) -MMD -MP -c $$< -o $$@
+$(BUILD)/hard-arm/pictures-$(1): $(BUILD)/hard-arm/$(1)/tests/hard/test_pictures.o $(CORE_SRC:%.c=$(BUILD)/hard-arm/$(1)/%.o)
+	$$(call say,LINK,$$@)
+	$$(Q)arm-linux-gnueabihf-gcc -static $$^ -lm -o $$@
+-include $(CORE_SRC:%.c=$(BUILD)/hard-arm/$(1)/%.d)
+endef
+$(foreach arm,$(HARD_ARM),$(eval $(call hard_arm_rule,$(arm))))
+
+suite-hard-arm: $(HARD_ARM:%=$(BUILD)/hard-arm/pictures-%)
+	@status=0; printf '%s\n' $^ | xargs -P "$$(nproc)" -n 1 qemu-arm || status=1; exit $$status
+
+.PHONY: suite-hard suite-hard-arm

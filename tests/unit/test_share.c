@@ -59,8 +59,17 @@ static void core_start(void (*job)(void *), void *argument)
     assert_int_equal(pthread_create(&second, NULL, second_main, argument), 0);
 }
 
+/* So many claims are refused, as if the other had the lock, who then lets it go. */
+static atomic_uint refused[HAL_LOCKS];
+static void core_notify(void);
+
 static int core_claim(enum hal_lock which)
 {
+    unsigned left = atomic_load(&refused[which]);
+    if (left && atomic_compare_exchange_strong(&refused[which], &left, left - 1)) {
+        core_notify();
+        return 0;
+    }
     return pthread_mutex_trylock(&lock[which]) == 0;
 }
 
@@ -244,6 +253,68 @@ static void a_worker_without_memory_leaves_one_to_draw(void **state)
     close_case(&c);
 }
 
+static void who_finds_a_lock_taken_comes_back(void **state)
+{
+    (void)state;
+    for (unsigned most = 1; most < 60; most++) {
+        struct share_case c;
+        open_case(&c, 10, 4, 1);
+        atomic_store(&refused[HAL_LOCK_SEND], most);
+        atomic_store(&refused[HAL_LOCK_TAKE], most);
+        show_pictures(&c);
+        close_case(&c);
+        atomic_store(&refused[HAL_LOCK_SEND], 0);
+        atomic_store(&refused[HAL_LOCK_TAKE], 0);
+    }
+}
+
+static void what_was_not_sent_while_it_was_drawn_is_sent_at_the_end(void **state)
+{
+    (void)state;
+    struct share_case c;
+    open_case(&c, 24, 4, 1); /* a buffer a band */
+    atomic_store(&refused[HAL_LOCK_SEND], 100000);
+    assert_int_equal(share_begin(&c.share, scene.scene, 0), 0);
+    assert_int_equal(share_draw(&c.share), 0);
+    assert_int_equal(c.display.begun, 0);
+    atomic_store(&refused[HAL_LOCK_SEND], 9);
+    assert_int_equal(share_finish(&c.share), 0);
+    assert_int_equal(c.display.ended, 1);
+    atomic_store(&refused[HAL_LOCK_SEND], 0);
+    close_case(&c);
+}
+
+/* Of another method or scene: the second CPU runs on. */
+static void a_renderer_made_anew_keeps_the_second_cpu(void **state)
+{
+    (void)state;
+    struct share_case c;
+    open_case(&c, 10, 4, 1);
+    show_pictures(&c);
+    pthread_t first = second;
+    share_ready(&c.share, c.worker, (uint32_t)glint_worker_memory_needed(&c.frame.config));
+    assert_true(pthread_equal(first, second));
+    c.display.begun = c.display.ended = 0;
+    show_pictures(&c);
+    close_case(&c);
+}
+
+static void three_buffers_are_as_two_and_without_a_display_all_is_drawn(void **state)
+{
+    (void)state;
+    struct share_case c;
+    open_case(&c, 10, 3, 1);
+    assert_int_equal(c.share.buffers, 2);
+    show_pictures(&c);
+    c.share.display = NULL;
+    assert_int_equal(share_begin(&c.share, scene.scene, 0), 0);
+    assert_int_equal(share_draw(&c.share), 0);
+    assert_int_equal(share_finish(&c.share), 0);
+    assert_int_equal(atomic_load(&c.share.due), c.share.end);
+    assert_int_equal(c.display.ended, PICTURES);
+    close_case(&c);
+}
+
 static void an_error_of_the_display_is_told_once(void **state)
 {
     (void)state;
@@ -283,6 +354,10 @@ int main(void)
         cmocka_unit_test(pictures_arrive_whole_and_in_order),
         cmocka_unit_test(the_count_of_bands_goes_round),
         cmocka_unit_test(a_worker_without_memory_leaves_one_to_draw),
+        cmocka_unit_test(who_finds_a_lock_taken_comes_back),
+        cmocka_unit_test(what_was_not_sent_while_it_was_drawn_is_sent_at_the_end),
+        cmocka_unit_test(a_renderer_made_anew_keeps_the_second_cpu),
+        cmocka_unit_test(three_buffers_are_as_two_and_without_a_display_all_is_drawn),
         cmocka_unit_test(an_error_of_the_display_is_told_once),
         cmocka_unit_test(bad_scenes_are_refused_before_anything_is_sent),
     };

@@ -264,6 +264,26 @@ static void names_and_lines_come_through(void **state)
     stream_case_close(&s, &out);
 }
 
+static void a_line_too_long_is_cut_where_a_message_ends(void **state)
+{
+    char text[STREAM_MAX_LOG + 2], whole[STREAM_MAX_LOG + 1];
+    struct stream_case_bytes out = {0}, cut = {0};
+    struct stream s = stream_case_open(&out, STREAM_GREY8, 6, 4, 4, false), t = s;
+    (void)state;
+    for (unsigned i = 0; i < sizeof text; i++)
+        text[i] = (char)('a' + i % 26);
+    memcpy(whole, text, sizeof whole);
+    text[sizeof text - 1] = whole[sizeof whole - 1] = 0;
+    t.context = &cut;
+    assert_int_equal(stream_log(&s, whole), 0);
+    assert_int_equal(stream_log(&t, text), 0);
+    assert_true(out.count > STREAM_MAX_LOG);
+    assert_int_equal(cut.count, out.count);
+    assert_memory_equal(cut.bytes, out.bytes, out.count);
+    free(cut.bytes);
+    stream_case_close(&s, &out);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -274,6 +294,7 @@ int main(void)
         cmocka_unit_test(what_cannot_be_written_costs_its_frame_alone),
         cmocka_unit_test(a_key_frame_comes_when_it_is_asked_for),
         cmocka_unit_test(names_and_lines_come_through),
+        cmocka_unit_test(a_line_too_long_is_cut_where_a_message_ends),
     };
     return cmocka_run_group_tests(tests, load, unload);
 }

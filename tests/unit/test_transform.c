@@ -147,8 +147,9 @@ static void an_object_is_left_out_only_if_no_part_of_it_is_between_the_planes(vo
     assert_true(out > 1000 && in > 1000);
 }
 
-/* Every field anywhere in the range that scene.h gives it: nothing overflows (a sanitizer would say so), and what is
- * placed is inside the guard band and the depths. */
+/* Every field anywhere in the range that scene.h gives it: nothing overflows (a sanitizer would say so), the planes
+ * stand in their order though both be nearer than a step of z, and what is placed is inside the guard band and the
+ * depths. */
 static void the_extremes_of_all_ranges_do_not_overflow(void **state)
 {
     (void)state;
@@ -179,6 +180,7 @@ static void the_extremes_of_all_ranges_do_not_overflow(void **state)
         c->reference_height = i & 8192 ? 2048 : 1;
         if (!setup(&t, &to_eye))
             continue;
+        assert_true(t.near_z >= 1 && t.near_z <= t.far_z);
         for (int j = 0; j < 4; j++) {
             int16_t p[3];
             struct screen_point at;
