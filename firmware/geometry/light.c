@@ -56,7 +56,8 @@ static void near_point(const q16_t world[3], const struct scene_mesh *mesh, cons
         q14_t unit[3];
         object_unit(out->at, unit);
         for (int i = 0; i < 3; i++)
-            out->at[i] = unit[i];
+            out->at[i] = unit[i] * (1 << 14);
+        out->shift = 14;
     }
 }
 
@@ -64,17 +65,16 @@ static void near_point(const q16_t world[3], const struct scene_mesh *mesh, cons
  * these are but roundings, below 2^-15, there is none: 0, and no highlight. */
 static void half_way(const struct object_point *light, const struct object_point *eye, q14_t out[3])
 {
-    static const int32_t none[3] = {0, 0, 0}; /* far things are so from anywhere */
     int32_t fine[3], sum[3], size = 0;
     for (int i = 0; i < 3; i++) { /* Q28 each */
-        fine[i] = light->at[i] * (1 << (14 - light->shift)) + eye->at[i] * (1 << (14 - eye->shift));
-        sum[i] = object_way(light, none, i) + object_way(eye, none, i);
+        const int32_t a = light->at[i], b = eye->at[i], round = 1 << 13;
+        fine[i] = a + b;
+        sum[i] = ((a + round) >> 14) + ((b + round) >> 14);
         size |= fine[i] ^ fine[i] >> 31;
     }
-    if (size >> 13)
-        object_unit(size >> 25 ? sum : fine, out);
-    else
-        out[0] = out[1] = out[2] = 0;
+    object_unit(size >> 25 ? sum : fine, out);
+    for (int i = 0; i < 3 && !(size >> 13); i++)
+        out[i] = 0;
 }
 
 void object_light_setup(struct object_state *object, const struct scene_header *scene, const struct view *view,

@@ -17,9 +17,8 @@
 #define VERTEX_LIGHTS   3
 #define VERTEX_UNPLACED INT16_MIN
 
-/* A light or the eye as one object sees it. Far: a unit vector towards it in the object's axes, Q14 times 2^shift (0 to
- * 14). Near: its place in the mesh's position units times 2^shift (0 to 8), |p| <= 2^28; one farther than that is taken
- * as far. */
+/* A light or the eye as one object sees it. Far: a unit vector towards it in the object's axes, Q28, shift 14. Near:
+ * its place in the mesh's position units times 2^shift (0 to 8), |p| <= 2^28; one farther than that is taken as far. */
 struct object_point {
     int32_t at[3];
     int16_t near, shift;

@@ -53,10 +53,10 @@ static inline struct perspective_divisor perspective_divisor_of(uint32_t w)
     return (struct perspective_divisor){fx_s32(fx_recip_norm(w << zeros) >> 1), zeros};
 }
 
-/* up' <= 15, so that twice it can be shifted by: W is at least 2^-16 of what the largest s may be. */
+/* W is at least a unit of the depth, as corners have; so up' <= 15, and twice it can be shifted by. */
 static inline struct perspective_divisor perspective_divisor(uint32_t depth, unsigned up)
 {
-    const uint32_t least = (1u << 16) >> (up < 4 ? up : 4), far = fx_u32(DEPTH_FAR) << 16;
+    const uint32_t least = 1u << 16, far = fx_u32(DEPTH_FAR) << 16;
     uint32_t w = depth > far + least ? depth - far : least;
     unsigned zeros = fx_clz(w);
     return (struct perspective_divisor){fx_s32(fx_recip_norm(w << zeros) >> 1), zeros > up ? zeros - up : 0};

@@ -138,7 +138,7 @@ static void a_quotient_by_any_depth_is_right_or_held(void **state)
             assert_true(by.up <= 15);
             assert_true(by.half >= 1 << 30);
             double w = (depth - 524288.) * 0x1p-32 * (1 << up); /* DEPTH_FAR is no closeness */
-            const double least = fmax(0x1p-16, 0x1p-20 * (1 << up));
+            const double least = 0x1p-16 * (1 << up);
             w = w > least ? w : least;
             if (w > 1)
                 continue;
