@@ -278,6 +278,54 @@ static void parts_meet_each_other_and_whole_neighbours(void **state)
     print_message("%ld parts, %ld pixels\n", parts, pixels);
 }
 
+/* A coordinate of a part: at a pixel's centre or side and a unit or so off it, at the guard band, or anywhere. */
+static int32_t fine_place(void)
+{
+    const int32_t near_centre = random_between(-20, 20) * 8 * 32768;
+    switch (random_bits() % 4) {
+    case 0:
+        return near_centre + random_between(-2, 2);
+    case 1:
+        return near_centre + random_between(-32768, 32768);
+    case 2:
+        return (random_bits() & 1 ? 1 : -1) * ((GUARD + 1) * 32768 - random_between(0, 2));
+    default:
+        return random_between(-(1 << 29), 1 << 29);
+    }
+}
+
+/* With corners of all 2^30 places across, not only those of splits: slivers below a sub-pixel among them. */
+static void parts_of_any_corners_cover_what_they_should(void **state)
+{
+    enum { SIZE = 16 };
+    static uint8_t count[SIZE * SIZE];
+    (void)state;
+    long pixels = 0, parts = 0;
+    random_seed(6);
+    while (parts < 150000) {
+        struct part_place p[3];
+        for (int k = 0; k < 3; k++)
+            p[k] = (struct part_place){fine_place(), fine_place()};
+        const exact_t area = ((exact_t)p[1].x - p[0].x) * ((exact_t)p[2].y - p[0].y) -
+                             ((exact_t)p[2].x - p[0].x) * ((exact_t)p[1].y - p[0].y);
+        if (area <= 0)
+            continue;
+        memset(count, 0, sizeof count);
+        count_fine(p, SIZE, count);
+        for (int y = 0; y < SIZE; y++)
+            for (int x = 0; x < SIZE; x++) {
+                const int wanted = covers_fine(p, x, y, SIZE, SIZE);
+                if (count[SIZE * y + x] != wanted)
+                    fail_msg("(%d, %d) (%d, %d) (%d, %d) 2^-15/16 px: pixel (%d, %d) is drawn %d times", p[0].x, p[0].y,
+                             p[1].x, p[1].y, p[2].x, p[2].y, x, y, count[SIZE * y + x]);
+                pixels += wanted;
+            }
+        parts++;
+    }
+    print_message("%ld parts, %ld pixels\n", parts, pixels);
+    assert_true(pixels > 1000000);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -288,6 +336,7 @@ int main(void)
         cmocka_unit_test(a_mesh_covers_every_pixel_exactly_once),
         cmocka_unit_test(a_t_junction_misses_or_doubles_what_lies_between_and_no_more),
         cmocka_unit_test(parts_meet_each_other_and_whole_neighbours),
+        cmocka_unit_test(parts_of_any_corners_cover_what_they_should),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
