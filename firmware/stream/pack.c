@@ -104,8 +104,9 @@ PACK_INLINE uint32_t pack_band(const struct pack_rows *rows, unsigned size, pack
     return (uint32_t)(out - rows->out);
 }
 
-/* Pixels that differ: a pixel like the one before is copied. Differences of red, green and blue; red and blue are expected to go along with green >> lag. Each is a signed number
- * modulo its channel's range, so that the sum comes back. */
+/* Pixels that differ: a pixel like the one before is copied. Differences of red, green and blue; red and blue are
+ * expected to go along with green >> lag. Each is a signed number modulo its channel's range, so that the sum comes
+ * back. */
 PACK_INLINE uint8_t *pack_colour(uint8_t *out, int red, int green, int blue, unsigned lag, uint32_t pixel,
                                  unsigned size)
 {

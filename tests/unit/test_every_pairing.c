@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Scenes at random, with all that there is, drawn by any method with any option: a pixel depends on its triangle and
- * place alone, so that the picture is the same in bands of any height, without the plan and by a worker.
+ * place alone, so that the picture is the same in bands of any height, and without the plan.
+ *   test_every_pairing [SCENES]
  */
 #include "glint.h"
 
@@ -17,7 +18,7 @@
 
 #include "frame_case.h"
 
-enum { SCENES = 6000 };
+static uint32_t scenes = 6000;
 
 static int one_in(int n)
 {
@@ -134,7 +135,7 @@ static struct frame_case random_case(const struct scene_header *scene)
 static void every_pairing_is_the_same_in_bands_and_without_the_plan(void **state)
 {
     (void)state;
-    for (uint32_t seed = 0; seed < SCENES; seed++) {
+    for (uint32_t seed = 0; seed < scenes; seed++) {
         char name[32];
         struct scene_header *scene = random_blob(seed);
         const struct frame_case f = random_case(scene);
@@ -148,8 +149,9 @@ static void every_pairing_is_the_same_in_bands_and_without_the_plan(void **state
     }
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
+    scenes = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : scenes;
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_pairing_is_the_same_in_bands_and_without_the_plan),
     };
