@@ -5,10 +5,12 @@ COVER_CC := clang-19
 COVER_FLAGS := -fprofile-instr-generate -fcoverage-mapping -fcoverage-mcdc -Xclang -main-file-name -Xclang $$<
 COVER_APP := $(filter $(BUILD)/obj/firmware/app/%,$(HOST_OBJ))
 COVER_OBJ := $(filter-out %/methods.o,$(CORE_OBJ) $(TEST_USES_OBJ)) $(COVER_APP)
-# Unit tests, hard cases, every picture of the list of hashes, the corpus of the fuzzer, and of `make test-budget` some views.
+# Unit tests, hard cases, every picture of the list of hashes, the corpus of the fuzzer, of `make test-budget` some views, and
+# scenes at random.
 COVER_BIN := $(UNIT_BIN) $(HARD_BIN)
 COVER_RUN := $(COVER_BIN) $(BUILD)/golden $(foreach t,$(FUZZ_TARGETS),"$(BUILD)/fuzz/$(t) $(FUZZ_CORPUS)/$(t)") \
-	$(foreach s,$(BUDGET_SCENES),"$(BUILD)/tests/budget/holds --views 2 $(s)") "$(BUILD)/tests/budget/random 0 15000"
+	$(foreach s,$(BUDGET_SCENES),"$(BUILD)/tests/budget/holds --views 2 $(s)") "$(BUILD)/tests/budget/random 0 15000" \
+	"$(BUILD)/tests/unit/test_every_pairing 100000"
 
 # The program of the boards is counted with the renderer.
 $(COVER_APP): LIBRARY_FLAGS = $(if $(COVERAGE),$(CORE_CFLAGS))

@@ -29,6 +29,8 @@ class Source:
     def text(self, path, place):
         first, left, last, right = place
         lines = self.lines(path)[first - 1:last]
+        if (first, left) == (last, right):  # a macro of the compiler's: what it stands in
+            return lines[0].strip()
         lines[-1] = lines[-1][:right - 1]
         lines[0] = lines[0][left - 1:]
         return re.sub(r'\s+', ' ', re.sub(r'/\*.*?\*/', '', ' '.join(lines))).strip()

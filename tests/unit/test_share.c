@@ -7,6 +7,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <time.h>
 
 #include <cmocka.h>
 
@@ -284,6 +285,23 @@ static void what_was_not_sent_while_it_was_drawn_is_sent_at_the_end(void **state
     close_case(&c);
 }
 
+static void slow_second(void *context, const struct glint_band *band, int assisting)
+{
+    (void)context, (void)band;
+    if (assisting)
+        nanosleep(&(struct timespec){.tv_nsec = 2000000}, NULL);
+}
+
+static void the_first_cpu_waits_for_a_band_of_the_second(void **state)
+{
+    (void)state;
+    struct share_case c;
+    open_case(&c, 1, 4, 1);
+    c.share.over = slow_second;
+    show_pictures(&c);
+    close_case(&c);
+}
+
 /* Of another method or scene: the second CPU runs on. */
 static void a_renderer_made_anew_keeps_the_second_cpu(void **state)
 {
@@ -356,6 +374,7 @@ int main(void)
         cmocka_unit_test(a_worker_without_memory_leaves_one_to_draw),
         cmocka_unit_test(who_finds_a_lock_taken_comes_back),
         cmocka_unit_test(what_was_not_sent_while_it_was_drawn_is_sent_at_the_end),
+        cmocka_unit_test(the_first_cpu_waits_for_a_band_of_the_second),
         cmocka_unit_test(a_renderer_made_anew_keeps_the_second_cpu),
         cmocka_unit_test(three_buffers_are_as_two_and_without_a_display_all_is_drawn),
         cmocka_unit_test(an_error_of_the_display_is_told_once),

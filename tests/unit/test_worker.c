@@ -230,6 +230,7 @@ static void a_worker_needs_a_frame_and_memory(void **state)
     assert_int_equal(glint_frame_band(&worker, 0, pixels, &band), GLINT_E_ARGUMENT); /* no picture has begun */
     assert_int_equal(glint_frame_begin(&f.frame, torus.scene, 0), 0);
     glint_worker_begin(&worker, &f.frame);
+    assert_int_equal(glint_frame_band(NULL, 0, pixels, &band), GLINT_E_ARGUMENT);
     assert_int_equal(glint_frame_band(&worker, 0, NULL, &band), GLINT_E_ARGUMENT);
     assert_int_equal(glint_frame_band(&worker, 0, (uint8_t *)pixels + 2, &band), GLINT_E_ARGUMENT);
     assert_int_equal(glint_frame_band(&worker, 0, pixels, &band), 1);
