@@ -168,9 +168,10 @@ check-format: ## Fail if clang-format would change a source
 
 deps: deps-test ## Install what building and testing need (DEPS=manual only prints the command)
 
+DEPS_LISTS := demo view test linux prove coverage
 deps-demo: ## Install what building the tool needs: `make deps-demo all` in a CI job
 
-deps-demo deps-view deps-test deps-linux deps-prove deps-coverage:
+$(DEPS_LISTS:%=deps-%):
 	$(Q)tests/tools/deps.sh $(@:deps-%=%)
 
 BOARD_DEPS := $(BOARD_SORT:board=test)
@@ -250,8 +251,8 @@ include tests/tools/coverage.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
-GOALS := all demo view test test-unit test-hard test-hard-arm test-fuzz fuzz test-cli test-models test-budget test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive prove coverage \
-	bench bench-boards bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-view deps-test deps-linux deps-prove deps-coverage image run flash install clean help
+# All that have a line of help, and the lists of packages.
+GOALS := $(shell sed -n 's/^\([a-z0-9-]*\):.*\#\# .*/\1/p' Makefile) $(DEPS_LISTS:%=deps-%)
 .PHONY: $(GOALS) tool
 # Several are made one after another, also with -j: each calls a make of its own, in the same folder.
 ifneq ($(word 2,$(filter $(GOALS),$(MAKECMDGOALS))),)
