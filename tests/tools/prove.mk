@@ -3,6 +3,7 @@
 PROOFS ?= $(patsubst tests/proof/%.c,%,$(wildcard tests/proof/*.c))
 
 prove-run:
-	@tests/tools/prove.py -o $(BUILD)/proof $(PROOFS:%=tests/proof/%.c)
+	@status=0; $(if $(filter file,$(origin PROOFS)),tests/tools/prove_bounds.py || status=1;) \
+	tests/tools/prove.py -o $(BUILD)/proof $(PROOFS:%=tests/proof/%.c) || status=1; exit $$status
 
 .PHONY: prove-run
