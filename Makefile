@@ -117,7 +117,11 @@ coverage: deps-coverage ## Lines, branches and MC/DC of firmware/ that the tests
 	$(Q)$(MAKE) --no-print-directory coverage-run
 
 prove: deps-prove ## Frama-C proofs: no overflow, no access out of bounds, nothing undefined, every statement reached; PROOFS="fixed edges" of some
+prove: deps-prove ## Frama-C proofs: no overflow, no access out of bounds, nothing undefined, every statement reached (10 minutes); PROOFS="fixed plane" of some
 	$(Q)$(MAKE) --no-print-directory prove-run
+
+prove-planted: deps-prove ## Whether the proofs fail on faults planted into a copy of the renderer (a minute)
+	$(Q)$(MAKE) --no-print-directory prove-planted-run
 
 fuzz: deps-test ## Make up bytes for the parsers of streams, SECONDS=60 for each; what breaks one is kept in build/fuzz/broken
 	$(Q)$(MAKE) --no-print-directory fuzz-search
@@ -251,6 +255,8 @@ include tests/tools/coverage.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
+# All that have a line of help, and the lists of packages.
+GOALS := $(shell sed -n 's/^\([a-z0-9-]*\):.*\#\# .*/\1/p' Makefile) $(DEPS_LISTS:%=deps-%)
 # All that have a line of help, and the lists of packages.
 GOALS := $(shell sed -n 's/^\([a-z0-9-]*\):.*\#\# .*/\1/p' Makefile) $(DEPS_LISTS:%=deps-%)
 .PHONY: $(GOALS) tool

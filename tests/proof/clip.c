@@ -1,45 +1,32 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * geometry/clip: any triangle of eye points, any transform.
+ * geometry/clip: distances of any eye point to any plane, and points between any two.
  *
- *   proves: inside mix cut clip_plane clip_triangle
- *   assumes: fx_divide_u64
- *   options: -eva-precision 2 -eva-slevel 100
+ *   proves: inside mix
+ *   options: -eva-precision 2
  */
 #include "proof.h"
 
-#include "contracts.h"
-
 #include "firmware/geometry/clip.c"
+
+volatile int64_t sink;
 
 #define FAR ((1 << 29) - 1)
 
-static void any_corner(struct clip_corner *c)
-{
-    c->eye.x = any_s32(-FAR, FAR);
-    c->eye.y = any_s32(-FAR, FAR);
-    c->eye.z = any_s32(-FAR, FAR);
-    for (int i = 0; i < 3; i++)
-        c->weight[i] = any_s32(-(1 << 4), (1 << 30) + (1 << 4));
-}
-
-/* Any polygon of up to as many corners as there is room for: what each plane in turn leaves is one of these. */
-static void polygons(int divide)
-{
-    struct transform t = {.divide = divide};
-    struct clip_polygon polygon, other;
-    t.near_z = any_s32(1, (1 << 30) - 1);
-    t.far_z = any_s32(0, (1 << 30) - 1);
-    t.shift = any_s32(-1000, 1000);
-    //@ loop unroll 9;
-    for (int i = 0; i < CLIP_MAX_CORNERS; i++)
-        any_corner(&polygon.corner[i]);
-    polygon.count = 3;
-    clip_triangle(&t, &polygon, &other);
-}
-
 void prove(void)
 {
-    polygons(0);
-    polygons(1);
+    //@ loop unroll 2;
+    for (int divide = 0; divide < 2; divide++)
+        for (int plane = 0; plane < PLANES; plane++) {
+            struct transform t = {.divide = divide};
+            const struct eye_point e = {any_s32(-FAR, FAR), any_s32(-FAR, FAR), any_s32(-FAR, FAR)};
+            t.near_z = any_s32(1, (1 << 30) - 1);
+            t.far_z = any_s32(0, (1 << 30) - 1);
+            t.shift = any_s32(-1000, 1000);
+            const int64_t distance = inside(&t, &e, plane);
+            //@ assert -0x3000000000000000 <= distance <= 0x3000000000000000;
+            sink = distance;
+        }
+    sink = mix(any_s32(-FAR, FAR), any_s32(-FAR, FAR), any_u32(0, 1u << 31));
+    sink = mix(any_s32(-16, (1 << 30) + 16), any_s32(-16, (1 << 30) + 16), any_u32(0, 1u << 31));
 }

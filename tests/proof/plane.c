@@ -4,7 +4,7 @@
  *
  *   proves: scaled_up plane_setup_quadratic shifted slope_wide slope_near slope_of gradient
  *           plane_linear form curve_of curve_shift second_difference plane_quadratic plane_values
- *   assumes: fx_recip_norm plane_keep_corners plane_exact_values plane_quadratic_large
+ *   assumes: fx_recip_norm plane_keep_corners plane_quadratic_large
  *   options: -eva-precision 2 -eva-slevel 100 -eva-split-return full
  */
 #include "proof.h"
@@ -13,6 +13,13 @@
 #include "planes.h"
 
 #include "firmware/shade/plane.c"
+
+/* In place of the exact way, which is not proven: any values. */
+void plane_exact_values(const struct plane *plane, const struct channel *channel, int x, int y, int n, int32_t *out)
+{
+    for (int i = 0; i < n; i++)
+        out[i] = ANY_S32;
+}
 
 static void linear(const struct plane *plane, int32_t least)
 {

@@ -12,10 +12,6 @@
     assigns channel->corner \from value[0 .. 2], bulge[0 .. 2]; */
 void plane_keep_corners(struct channel *channel, const int32_t value[3], const int32_t bulge[3]);
 
-/*@ requires \valid_read(plane) && \valid_read(channel) && \valid(out + (0 .. n - 1));
-    assigns out[0 .. n - 1] \from *plane, *channel, x, y; */
-void plane_exact_values(const struct plane *plane, const struct channel *channel, int x, int y, int n, int32_t *out);
-
 /*@ requires \valid_read(plane) && \valid_read(value + (0 .. 2)) && \valid_read(bulge + (0 .. 2)) && \valid(channel);
     assigns *channel \from *plane, value[0 .. 2], bulge[0 .. 2]; */
 void plane_quadratic_large(const struct plane *plane, const int32_t value[3], const int32_t bulge[3],
