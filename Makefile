@@ -110,6 +110,9 @@ test-exhaustive: deps-test ## Whole domains of the fixed-point functions (minute
 prove: deps-prove ## Frama-C proofs: no overflow, no access out of bounds, nothing undefined, every statement reached; PROOFS="fixed edges" of some
 	$(Q)$(MAKE) --no-print-directory prove-run
 
+prove-scene: deps-prove ## The contracts of the scene check, for blobs of any bytes and length (5 minutes)
+	$(Q)$(MAKE) --no-print-directory prove-scene-run
+
 fuzz: deps-test ## Make up bytes for the parsers of streams, SECONDS=60 for each; what breaks one is kept in build/fuzz/broken
 	$(Q)$(MAKE) --no-print-directory fuzz-search
 
@@ -234,10 +237,11 @@ include tests/tools/linux.mk
 include tests/tools/faults.mk
 include tests/tools/fuzz.mk
 include tests/tools/prove.mk
+include tests/tools/prove_bytes.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
-GOALS := all demo view test test-unit test-fuzz fuzz test-cli test-models test-budget test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive prove \
+GOALS := all demo view test test-unit test-fuzz fuzz test-cli test-models test-budget test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive prove prove-scene \
 	bench bench-boards bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-view deps-test deps-linux deps-prove image run flash install clean help
 .PHONY: $(GOALS) tool
 # Several are made one after another, also with -j: each calls a make of its own, in the same folder.
