@@ -107,11 +107,14 @@ test-sanitize: deps-test ## Unit tests, command line and hashes under clang's sa
 test-exhaustive: deps-test ## Whole domains of the fixed-point functions (minutes)
 	$(Q)tests/tools/run.sh exhaustive
 
-prove: deps-prove ## Frama-C proofs: no overflow, no access out of bounds, nothing undefined, every statement reached; PROOFS="fixed edges" of some
+prove: deps-prove ## Frama-C proofs: no overflow, no access out of bounds, nothing undefined, every statement reached (10 minutes); PROOFS="fixed plane" of some
 	$(Q)$(MAKE) --no-print-directory prove-run
 
 prove-scene: deps-prove ## The contracts of the scene check, for blobs of any bytes and length (5 minutes)
 	$(Q)$(MAKE) --no-print-directory prove-scene-run
+
+prove-planted: deps-prove ## Whether the proofs fail on faults planted into a copy of the renderer (a minute)
+	$(Q)$(MAKE) --no-print-directory prove-planted-run
 
 fuzz: deps-test ## Make up bytes for the parsers of streams, SECONDS=60 for each; what breaks one is kept in build/fuzz/broken
 	$(Q)$(MAKE) --no-print-directory fuzz-search
@@ -241,7 +244,7 @@ include tests/tools/prove_bytes.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
-GOALS := all demo view test test-unit test-fuzz fuzz test-cli test-models test-budget test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive prove prove-scene \
+GOALS := all demo view test test-unit test-fuzz fuzz test-cli test-models test-budget test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive prove prove-planted prove-scene \
 	bench bench-boards bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-view deps-test deps-linux deps-prove image run flash install clean help
 .PHONY: $(GOALS) tool
 # Several are made one after another, also with -j: each calls a make of its own, in the same folder.

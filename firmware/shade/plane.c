@@ -85,12 +85,12 @@ void plane_setup_quadratic(struct plane *plane)
     plane->far = ((uint32_t)((plane->fx + 8) | (plane->fy + 8)) >> 5 | (uint32_t)plane->scale >> 31) != 0;
 }
 
-/* x * 2^up modulo 2^32, or rounded to nearest for up < 0. */
+/* x * 2^up modulo 2^32, or rounded to nearest for up < 0; up is -16 at least. */
 FX_WRAPS static inline uint32_t shifted(int32_t x, int up)
 {
     if (up >= 0)
         return (uint32_t)x << up;
-    return up < -31 ? 0 : (uint32_t)((x + (int32_t)(1u << (-up - 1))) >> -up);
+    return (uint32_t)((x + (1 << (-up - 1))) >> -up);
 }
 
 /* Corner differences d1, d2, |d| < 2^16, across the edges: det * 2^(2 scale) times the gradient, by 2^-scale. */

@@ -97,6 +97,21 @@ static void divide(void)
     sink = (uint32_t)fx_divide_s64(any_s64(-INT64_MAX, INT64_MAX), any_s64(2, INT64_MAX));
 }
 
+/* What fits, what is above, what is negative. */
+static void saturated(void)
+{
+    //@ loop unroll 31;
+    for (unsigned bits = 1; bits < 32; bits++)
+        //@ loop unroll 31;
+        for (unsigned down = 0; bits + down < 32; down++) {
+            const uint32_t past = 1u << (bits + down - 1) << 1;
+            sink = fx_saturated(any_u32(0, past - 1), bits, down);
+            if (past && past < 0x80000000u)
+                sink = fx_saturated(any_u32(past, 0x7fffffffu), bits, down);
+            sink = fx_saturated(any_u32(0x80000000u, UINT32_MAX), bits, down);
+        }
+}
+
 void prove(void)
 {
     uint32_t x = ANY_U32;
@@ -114,5 +129,5 @@ void prove(void)
     sink = fx_mulhi_u32_narrow(ANY_U32, ANY_U32);
     sink = (uint32_t)fx_mulhi_s32_narrow(ANY_S32, ANY_S32);
     fx_step(&x, ANY_U32);
-    sink = fx_saturated(ANY_U32, any_u32(1, 16), any_u32(0, 15));
+    saturated();
 }

@@ -3,6 +3,11 @@
 PROOFS ?= $(patsubst tests/proof/%.c,%,$(wildcard tests/proof/*.c))
 
 prove-run:
-	@tests/tools/prove.py -o $(BUILD)/proof $(PROOFS:%=tests/proof/%.c)
+	@status=0; $(if $(filter file,$(origin PROOFS)),tests/tools/prove_bounds.py || status=1;) \
+	tests/tools/prove.py -o $(BUILD)/proof $(PROOFS:%=tests/proof/%.c) || status=1; exit $$status
 
-.PHONY: prove-run
+# ALL=1: slow ones too.
+prove-planted-run:
+	@tests/tools/prove_planted.sh $(BUILD)/proof/planted
+
+.PHONY: prove-run prove-planted-run

@@ -1,0 +1,28 @@
+#!/bin/bash
+# SPDX-License-Identifier: MIT
+# prove_planted.sh FOLDER: whether the proofs see faults, each planted into a copy of firmware/ there by one sed.
+set -u
+folder=$1
+status=0
+planted() { # what, proof or `bounds`, file, sed
+    rm -rf "$folder/tree" && mkdir -p "$folder/tree/tests/tools" && cp -r firmware "$folder/tree" && cp -r tests/proof "$folder/tree/tests" &&
+        cp tests/tools/prove.py tests/tools/prove_bounds.py "$folder/tree/tests/tools" && sed -i "$4" "$folder/tree/$3" || exit 1
+    if cmp -s "$3" "$folder/tree/$3"; then
+        echo "FAIL planted $1: $3 is as it was"
+        status=1
+    elif (cd "$folder/tree" && if [ "$2" = bounds ]; then tests/tools/prove_bounds.py; else tests/tools/prove.py -o ../out "tests/proof/$2.c"; fi) \
+        >"$folder/planted.log" 2>&1 || ! grep -q '^FAIL' "$folder/planted.log"; then
+        echo "FAIL planted $1: proven nevertheless"
+        status=1
+    else
+        echo "ok planted $1: $(sed -n 's/^   //p; s/^FAIL gappa //p' "$folder/planted.log" | head -1)"
+    fi
+}
+mkdir -p "$folder"
+planted "a shift too far" plane firmware/shade/plane.c 's/(y2 \* y2) << 3/(y2 * y2) << 4/'
+planted "a clamp that lets more through" clip firmware/geometry/clip.c 's/down > 18/down > 22/'
+planted "an index one too far" power firmware/fixed/power.c 's/value\[FX_POWER_STEPS + 1\]/value[FX_POWER_STEPS + 2]/'
+planted "a branch that nothing reaches" power firmware/fixed/power.c 's/if (s <= 0)/if (n > 1023)\n        return 1;\n    if (s <= 0)/'
+planted "an entry of a table one too small" bounds firmware/fixed/fixed.c 's/255, 253, 251, 249, 247, 246/255, 253, 251, 249, 247, 245/'
+[ -z "${ALL-}" ] || planted "a bit more of an index" spans firmware/raster/spans.h 's/fx_saturated(v->l, 6, 24)/fx_saturated(v->l, 7, 23)/'
+exit $status
