@@ -35,7 +35,8 @@ static bool colour_ok(const uint16_t c[3])
 static bool unit_ok(const q30_t *v, unsigned components)
 {
     int64_t excess = -((int64_t)1 << 60);
-    /*@ loop invariant 0 <= components <= \at(components, Pre) && v == \at(v, Pre) + (\at(components, Pre) - components);
+    /*@ loop invariant 0 <= components <= \at(components, Pre);
+        loop invariant v == \at(v, Pre) + (\at(components, Pre) - components);
         loop invariant 0 <= excess + 0x1000000000000000 <= (\at(components, Pre) - components) * 0x2000000000000000;
         loop assigns v, components, excess;
         loop variant components; */
@@ -115,7 +116,8 @@ static enum scene_fault check_vertices(const struct scene_header *s, const struc
     const struct scene_vertex *v = scene_at(s, mesh->vertices);
     uint32_t furthest = 0;
     /*@ loop invariant 0 <= i <= mesh->vertex_count && v == VERTICES(s, mesh) + i && furthest <= 3 * 0x40000000;
-        loop invariant \forall integer j, k; 0 <= j < i && 0 <= k < 3 ==> -16386 <= VERTICES(s, mesh)[j].normal[k] <= 16386;
+        loop invariant \forall integer j, k; 0 <= j < i && 0 <= k < 3 ==>
+            -16386 <= VERTICES(s, mesh)[j].normal[k] <= 16386;
         loop assigns i, v, furthest;
         loop variant mesh->vertex_count - i; */
     for (uint32_t i = 0; i < mesh->vertex_count; i++, v++) {
