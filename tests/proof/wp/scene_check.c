@@ -9,32 +9,38 @@
 #include "scene/texel.h"
 #include <stdbool.h>
 #define AT(type, s, offset) ((const struct type *)((const uint8_t *)(s) + (offset)))
-#define VERTICES(s, m) AT(scene_vertex, s, (m)->vertices)
-#define TRIANGLES(s, m) AT(scene_triangle, s, (m)->triangles)
-#define TANGENTS(s, m) AT(scene_tangent, s, (m)->tangents)
+#define VERTICES(s, m)      AT(scene_vertex, s, (m)->vertices)
+#define TRIANGLES(s, m)     AT(scene_triangle, s, (m)->triangles)
+#define TANGENTS(s, m)      AT(scene_tangent, s, (m)->tangents)
 
+/* clang-format off: it takes ==> apart */
 /* How many bytes of a blob can be read, as any array that begins at a multiple of 4. */
 /*@ axiomatic blob { logic integer bytes_of(struct scene_header *s) reads \nothing; } */
 #define READS(type, s) \
     (\forall integer at, i; 0 <= at && 0 <= i && at % 4 == 0 && at + (i + 1) * sizeof(type) <= bytes_of(s) ==> \
         \valid_read((const type *)((const uint8_t *)(s) + at) + i))
 #define INSIDE(s, offset, count, size) \
-    ((count) == 0 || ((offset) % 4 == 0 && sizeof(struct scene_header) <= (offset) && (offset) + (count) * (size) <= bytes_of(s)))
+    ((count) == 0 ||                   \
+     ((offset) % 4 == 0 && sizeof(struct scene_header) <= (offset) && (offset) + (count) * (size) <= bytes_of(s)))
 #define HEADER(s) (\valid_read(s) && (s)->length <= bytes_of(s))
-#define GOOD(s) (HEADER(s) && (ARRAYS(s)))
-#define ARRAYS(s) (INSIDE(s, (s)->meshes, (s)->mesh_count, sizeof(struct scene_mesh)) && \
-    INSIDE(s, (s)->materials, (s)->material_count, sizeof(struct scene_material)) && \
-    INSIDE(s, (s)->powers, (s)->power_count, sizeof(struct fx_power)) && \
-    INSIDE(s, (s)->lights, (s)->light_count, sizeof(struct scene_light)) && \
-    INSIDE(s, (s)->objects, (s)->object_count, sizeof(struct scene_object)) && \
-    INSIDE(s, (s)->keys, (s)->key_count, sizeof(struct scene_key)) && \
-    INSIDE(s, (s)->textures, (s)->texture_count, sizeof(struct scene_texture)))
-#define MESH_ARRAYS(s, m) (3 <= (m)->vertex_count <= 65535 && 1 <= (m)->triangle_count <= 65535 && \
-    INSIDE(s, (m)->vertices, (m)->vertex_count, sizeof(struct scene_vertex)) && \
-    INSIDE(s, (m)->triangles, (m)->triangle_count, sizeof(struct scene_triangle)) && \
-    ((m)->uvs == 0 || INSIDE(s, (m)->uvs, (m)->vertex_count, 4)) && \
-    ((m)->tangents == 0 || INSIDE(s, (m)->tangents, (m)->vertex_count, sizeof(struct scene_tangent))))
-#define NORMALS(s, m) (\forall integer j, k; 0 <= j < (m)->vertex_count && 0 <= k < 3 ==> -16386 <= VERTICES(s, m)[j].normal[k] <= 16386)
+#define GOOD(s)   (HEADER(s) && (ARRAYS(s)))
+#define ARRAYS(s)                                                                     \
+    (INSIDE(s, (s)->meshes, (s)->mesh_count, sizeof(struct scene_mesh)) &&            \
+     INSIDE(s, (s)->materials, (s)->material_count, sizeof(struct scene_material)) && \
+     INSIDE(s, (s)->powers, (s)->power_count, sizeof(struct fx_power)) &&             \
+     INSIDE(s, (s)->lights, (s)->light_count, sizeof(struct scene_light)) &&          \
+     INSIDE(s, (s)->objects, (s)->object_count, sizeof(struct scene_object)) &&       \
+     INSIDE(s, (s)->keys, (s)->key_count, sizeof(struct scene_key)) &&                \
+     INSIDE(s, (s)->textures, (s)->texture_count, sizeof(struct scene_texture)))
+#define MESH_ARRAYS(s, m)                                                             \
+    (3 <= (m)->vertex_count <= 65535 && 1 <= (m)->triangle_count <= 65535 &&          \
+     INSIDE(s, (m)->vertices, (m)->vertex_count, sizeof(struct scene_vertex)) &&      \
+     INSIDE(s, (m)->triangles, (m)->triangle_count, sizeof(struct scene_triangle)) && \
+     ((m)->uvs == 0 || INSIDE(s, (m)->uvs, (m)->vertex_count, 4)) &&                  \
+     ((m)->tangents == 0 || INSIDE(s, (m)->tangents, (m)->vertex_count, sizeof(struct scene_tangent))))
+#define NORMALS(s, m) \
+    (\forall integer j, k; 0 <= j < (m)->vertex_count && 0 <= k < 3 ==> -16386 <= VERTICES(s, m)[j].normal[k] <= 16386)
+/* clang-format on */
 #define TEXELS(t) (1 << ((t)->log2_width + (t)->log2_height))
 /*@ requires \valid_read((const uint8_t *)bytes + (0 .. size - 1));
     assigns \nothing; */
@@ -99,7 +105,6 @@ static bool unit_ok(const q30_t *v, unsigned components);
     ensures \result ==> INSIDE(s, offset, count, element) && (count == 0 ==> offset == 0); */
 static bool array_ok(const struct scene_header *s, uint32_t offset, uint32_t count, uint32_t element);
 
-
 /*@ requires (size >= sizeof(struct scene_header) ==> \valid_read(s)) && READS(uint8_t, s);
     requires size == bytes_of(s);
     assigns \nothing;
@@ -146,7 +151,8 @@ static bool mapped(const struct scene_mesh *mesh, const struct scene_material *m
     assigns \nothing; */
 static enum scene_fault check_triangles(const struct scene_header *s, const struct scene_mesh *mesh);
 
-/*@ requires READS(struct scene_vertex, s) && READS(struct scene_triangle, s) && READS(struct scene_material, s) && READS(struct scene_tangent, s);
+/*@ requires READS(struct scene_vertex, s) && READS(struct scene_triangle, s) &&
+        READS(struct scene_material, s) && READS(struct scene_tangent, s);
     requires GOOD(s) && \valid_read(mesh);
     assigns \nothing;
     ensures \result == SCENE_OK ==> MESH_ARRAYS(s, mesh); */
@@ -204,7 +210,8 @@ static enum scene_fault check_light(const struct scene_header *s, const struct s
 uint32_t scene_effects(const struct scene_header *s);
 
 /*@ requires size >= sizeof(struct scene_header) ==> \valid_read((const struct scene_header *)blob);
-    requires size == bytes_of((struct scene_header *)blob) && READS(uint8_t, (struct scene_header *)blob) && READS(uint16_t, (struct scene_header *)blob) && READS(uint32_t, (struct scene_header *)blob) &&
+    requires size == bytes_of((struct scene_header *)blob) && READS(uint8_t, (struct scene_header *)blob) &&
+        READS(uint16_t, (struct scene_header *)blob) && READS(uint32_t, (struct scene_header *)blob) &&
         READS(struct scene_mesh, (struct scene_header *)blob) &&
         READS(struct scene_vertex, (struct scene_header *)blob) &&
         READS(struct scene_triangle, (struct scene_header *)blob) &&
