@@ -13,7 +13,8 @@
 #define TRIANGLES(s, m)     AT(scene_triangle, s, (m)->triangles)
 #define TANGENTS(s, m)      AT(scene_tangent, s, (m)->tangents)
 
-/* clang-format off: it takes ==> apart */
+/* Formatting would take ==> apart. */
+/* clang-format off */
 /* How many bytes of a blob can be read, as any array that begins at a multiple of 4. */
 /*@ axiomatic blob { logic integer bytes_of(struct scene_header *s) reads \nothing; } */
 #define READS(type, s) \
@@ -100,13 +101,13 @@ static bool colour_ok(const uint16_t c[3]);
     assigns \nothing; */
 static bool unit_ok(const q30_t *v, unsigned components);
 
-/*@ requires \valid_read(s) && 1 <= element <= 264 && (count <= 65535 || (count <= 0x100000 && element <= 2));
+/*@ requires HEADER(s) && 1 <= element <= 264 && (count <= 65535 || (count <= 0x100000 && element <= 2));
     assigns \nothing;
     ensures \result ==> INSIDE(s, offset, count, element) && (count == 0 ==> offset == 0); */
 static bool array_ok(const struct scene_header *s, uint32_t offset, uint32_t count, uint32_t element);
 
 /*@ requires (size >= sizeof(struct scene_header) ==> \valid_read(s)) && READS(uint8_t, s);
-    requires size == bytes_of(s);
+    requires size == bytes_of(s) && \valid_read((const uint8_t *)s + (0 .. size - 1));
     assigns \nothing;
     ensures \result == SCENE_OK ==> GOOD(s);
     ensures \result == SCENE_OK ==> s->object_count <= 255 && s->light_count <= 8; */
@@ -210,6 +211,7 @@ static enum scene_fault check_light(const struct scene_header *s, const struct s
 uint32_t scene_effects(const struct scene_header *s);
 
 /*@ requires size >= sizeof(struct scene_header) ==> \valid_read((const struct scene_header *)blob);
+    requires \valid_read((const uint8_t *)blob + (0 .. size - 1));
     requires size == bytes_of((struct scene_header *)blob) && READS(uint8_t, (struct scene_header *)blob) &&
         READS(uint16_t, (struct scene_header *)blob) && READS(uint32_t, (struct scene_header *)blob) &&
         READS(struct scene_mesh, (struct scene_header *)blob) &&
