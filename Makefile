@@ -110,10 +110,10 @@ test-exhaustive: deps-test ## Whole domains of the fixed-point functions (minute
 prove: deps-prove ## Frama-C proofs: no overflow, no access out of bounds, nothing undefined, every statement reached (10 minutes); PROOFS="fixed plane" of some
 	$(Q)$(MAKE) --no-print-directory prove-run
 
-prove-scene: deps-prove ## The contracts of the scene check, for blobs of any bytes and length (5 minutes)
+prove-scene: deps-prove ## The contracts of the scene check, for blobs of any bytes and length (8 minutes)
 	$(Q)$(MAKE) --no-print-directory prove-scene-run
 
-prove-planted: deps-prove ## Whether the proofs fail on faults planted into a copy of the renderer (a minute)
+prove-planted: deps-prove ## Whether the proofs fail on faults planted into a copy of the sources (3 minutes; ALL=1: the slow ones too)
 	$(Q)$(MAKE) --no-print-directory prove-planted-run
 
 fuzz: deps-test ## Make up bytes for the parsers of streams, SECONDS=60 for each; what breaks one is kept in build/fuzz/broken
