@@ -116,11 +116,13 @@ test-exhaustive: deps-test ## Whole domains of the fixed-point functions, and th
 coverage: deps-coverage ## Lines, branches and MC/DC of firmware/ that the tests reach, by file: all but tests/coverage.txt (some minutes)
 	$(Q)$(MAKE) --no-print-directory coverage-run
 
-prove: deps-prove ## Frama-C proofs: no overflow, no access out of bounds, nothing undefined, every statement reached; PROOFS="fixed edges" of some
 prove: deps-prove ## Frama-C proofs: no overflow, no access out of bounds, nothing undefined, every statement reached (10 minutes); PROOFS="fixed plane" of some
 	$(Q)$(MAKE) --no-print-directory prove-run
 
-prove-planted: deps-prove ## Whether the proofs fail on faults planted into a copy of the renderer (a minute)
+prove-scene: deps-prove ## The contracts of the scene check, for blobs of any bytes and length (8 minutes)
+	$(Q)$(MAKE) --no-print-directory prove-scene-run
+
+prove-planted: deps-prove ## Whether the proofs fail on faults planted into a copy of the sources (3 minutes; ALL=1: the slow ones too)
 	$(Q)$(MAKE) --no-print-directory prove-planted-run
 
 fuzz: deps-test ## Make up bytes for the parsers of streams, SECONDS=60 for each; what breaks one is kept in build/fuzz/broken
@@ -257,8 +259,7 @@ include tests/tools/coverage.mk
 
 # All that have a line of help, and the lists of packages.
 GOALS := $(shell sed -n 's/^\([a-z0-9-]*\):.*\#\# .*/\1/p' Makefile) $(DEPS_LISTS:%=deps-%)
-# All that have a line of help, and the lists of packages.
-GOALS := $(shell sed -n 's/^\([a-z0-9-]*\):.*\#\# .*/\1/p' Makefile) $(DEPS_LISTS:%=deps-%)
+include tests/tools/prove_bytes.mk
 .PHONY: $(GOALS) tool
 # Several are made one after another, also with -j: each calls a make of its own, in the same folder.
 ifneq ($(word 2,$(filter $(GOALS),$(MAKECMDGOALS))),)

@@ -35,9 +35,11 @@ static bool colour_ok(const uint16_t c[3])
 static bool unit_ok(const q30_t *v, unsigned components)
 {
     int64_t excess = -((int64_t)1 << 60);
-    /*@ loop invariant 0 <= components <= \at(components, Pre) && v == \at(v, Pre) + (\at(components, Pre) -
-       components); loop invariant 0 <= excess + 0x1000000000000000 <= (\at(components, Pre) - components) *
-       0x2000000000000000; loop assigns v, components, excess; loop variant components; */
+    /*@ loop invariant 0 <= components <= \at(components, Pre);
+        loop invariant v == \at(v, Pre) + (\at(components, Pre) - components);
+        loop invariant 0 <= excess + 0x1000000000000000 <= (\at(components, Pre) - components) * 0x2000000000000000;
+        loop assigns v, components, excess;
+        loop variant components; */
     for (; components; components--) {
         int32_t c = *v++;
         if (!in_range(c, -(1 << 30) - (1 << 10), (1 << 30) + (1 << 10) + 1))
@@ -114,8 +116,10 @@ static enum scene_fault check_vertices(const struct scene_header *s, const struc
     const struct scene_vertex *v = scene_at(s, mesh->vertices);
     uint32_t furthest = 0;
     /*@ loop invariant 0 <= i <= mesh->vertex_count && v == VERTICES(s, mesh) + i && furthest <= 3 * 0x40000000;
-        loop invariant \forall integer j, k; 0 <= j < i && 0 <= k < 3 ==> -16386 <= VERTICES(s, mesh)[j].normal[k] <=
-       16386; loop assigns i, v, furthest; loop variant mesh->vertex_count - i; */
+        loop invariant \forall integer j, k; 0 <= j < i && 0 <= k < 3 ==>
+            -16386 <= VERTICES(s, mesh)[j].normal[k] <= 16386;
+        loop assigns i, v, furthest;
+        loop variant mesh->vertex_count - i; */
     for (uint32_t i = 0; i < mesh->vertex_count; i++, v++) {
         uint32_t distance = 0, length = 0; /* squares: each at most 2^30, so three fit */
         /*@ loop invariant 0 <= k <= 3 && distance <= k * 0x40000000 && length <= k * 0x40000000;

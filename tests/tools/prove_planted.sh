@@ -1,11 +1,11 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# prove_planted.sh FOLDER: whether the proofs see faults, each planted into a copy of firmware/ there by one sed.
+# prove_planted.sh FOLDER: whether the proofs see faults, each planted into a copy of the sources there by one sed.
 set -u
 folder=$1
 status=0
 planted() { # what, proof or `bounds`, file, sed
-    rm -rf "$folder/tree" && mkdir -p "$folder/tree/tests/tools" && cp -r firmware "$folder/tree" && cp -r tests/proof "$folder/tree/tests" &&
+    rm -rf "$folder/tree" && mkdir -p "$folder/tree/tests/tools" && cp -r firmware hal boards host-tools "$folder/tree" && cp -r tests/proof "$folder/tree/tests" &&
         cp tests/tools/prove.py tests/tools/prove_bounds.py "$folder/tree/tests/tools" && sed -i "$4" "$folder/tree/$3" || exit 1
     if cmp -s "$3" "$folder/tree/$3"; then
         echo "FAIL planted $1: $3 is as it was"
@@ -24,5 +24,11 @@ planted "a clamp that lets more through" clip firmware/geometry/clip.c 's/down >
 planted "an index one too far" power firmware/fixed/power.c 's/value\[FX_POWER_STEPS + 1\]/value[FX_POWER_STEPS + 2]/'
 planted "a branch that nothing reaches" power firmware/fixed/power.c 's/if (s <= 0)/if (n > 1023)\n        return 1;\n    if (s <= 0)/'
 planted "an entry of a table one too small" bounds firmware/fixed/fixed.c 's/255, 253, 251, 249, 247, 246/255, 253, 251, 249, 247, 245/'
+planted "a length one off" receive firmware/stream/receive.c 's/r->count < STREAM_HEADER)$/r->count <= STREAM_HEADER)/'
+planted "an index that is not checked" receive firmware/app/remote.c 's/if (value >= count)/if (value > count)/'
+[ -z "${ALL-}" ] || planted "a line without room for its end" text firmware/app/text.c 's/sizeof line->text - 1)/sizeof line->text)/'
+planted "a table one byte short" tables hal/panels/wire.c 's/i += 2 + count;/i += 3 + count;/'
+planted "a line that is not in the menu" control firmware/app/control.c 's/line, CONTROL_LINES)/line, CONTROL_LINES + 1)/'
+planted "decimals without end" numbers boards/linux/values.c 's/ \&\& scale <= unit; digit++/; digit++/'
 [ -z "${ALL-}" ] || planted "a bit more of an index" spans firmware/raster/spans.h 's/fx_saturated(v->l, 6, 24)/fx_saturated(v->l, 7, 23)/'
 exit $status
