@@ -230,6 +230,7 @@ include tests/tools/rp2040.mk
 include tests/tools/linux.mk
 include tests/tools/faults.mk
 include tests/tools/fuzz.mk
+include tests/tools/seams.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 

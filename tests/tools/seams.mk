@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: MIT
+# tests/faults: programs whose calls of libraries and machines fail, one after another (tests/faults/seam.h).
+FAULTS_WRAPS := malloc calloc realloc strdup realpath fopen fdopen fmemopen open_memstream tmpfile stat fstat access mkdir mkdtemp \
+	mkstemp fchmod rename pipe fork open read write deflateInit2_
+FAULTS_TOOLS := $(BUILD)/faults/tools
+# Both tools in one program, each with a main of another name.
+FAULTS_MAINS := $(BUILD)/faults/glint_main.o $(BUILD)/faults/view_main.o
+$(BUILD)/faults/glint_main.o: host-tools/glint/main.c
+$(BUILD)/faults/view_main.o: host-tools/view/main.c
+$(FAULTS_MAINS):
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(HOST_FLAGS) $(PACKAGE_FLAGS) $(VIEW_FLAGS) $(OPT) -g $(CFLAGS) -Dmain=$(basename $(@F)) -MMD -MP -c $< -o $@
+
+$(FAULTS_TOOLS): tests/faults/tools.c tests/faults/wraps.c $(FAULTS_MAINS) $(HOST_LIB) $(CORE_LIB)
+	$(call say,FAULTS,$<)
+	$(Q)$(CC) $(HOST_FLAGS) $(PACKAGE_FLAGS) -Itests $(OPT) -g $(CFLAGS) $(LDFLAGS) -MMD -MP -MF $@.d $(filter %.c %.o %.a,$^) \
+		$(FAULTS_WRAPS:%=-Wl,--wrap=%) $(PACKAGE_LIBS) $(VIEW_LIBS) -lm -o $@
+-include $(FAULTS_TOOLS).d $(FAULTS_MAINS:.o=.d)
+
+# Under the sanitizers of suite-sanitize, whose objects these are too: two halves at once.
+FAULTS_RUN := ASAN_OPTIONS=exitcode=126 UBSAN_OPTIONS=exitcode=126 $(MAKE) BUILD=$(BUILD)/sanitize CC=clang OPT=-O1 \
+	CFLAGS="$(SANITIZE)" CORE_CFLAGS="$(SANITIZE_CORE)"
+suite-faults:
+	@$(FAULTS_RUN) suite-faulted
+
+suite-faulted: $(FAULTS_TOOLS)
+	@printf '%s 2\n' 0 1 | xargs -P 2 -L 1 $(FAULTS_TOOLS)
+
+suite-faults-pairs:
+	@$(FAULTS_RUN) suite-faulted-pairs
+
+suite-faulted-pairs: $(FAULTS_TOOLS)
+	@printf '%s 2 pairs\n' 0 1 | xargs -P 2 -L 1 $(FAULTS_TOOLS)
+
+.PHONY: suite-faults suite-faulted suite-faults-pairs suite-faulted-pairs
