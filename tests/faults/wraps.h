@@ -8,7 +8,7 @@
 #ifndef WRAPS_H
 #define WRAPS_H
 
-#include "faults/seam.h"
+#include "tests/faults/seam.h"
 
 #include <stddef.h>
 

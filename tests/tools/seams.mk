@@ -17,19 +17,27 @@ $(FAULTS_TOOLS): tests/faults/tools.c tests/faults/wraps.c $(FAULTS_MAINS) $(HOS
 		$(FAULTS_WRAPS:%=-Wl,--wrap=%) $(PACKAGE_LIBS) $(VIEW_LIBS) -lm -o $@
 -include $(FAULTS_TOOLS).d $(FAULTS_MAINS:.o=.d)
 
+# Models of machines are those of the unit tests.
+FAULTS_MACHINES := $(patsubst tests/%.c,$(BUILD)/tests/%,$(filter-out %/tools.c %/wraps.c,$(wildcard tests/faults/*.c)))
+$(FAULTS_MACHINES): HOST_FLAGS += -Itests/unit -Itests/unit/gpiod_v2 $(VIEW_FLAGS)
+-include $(FAULTS_MACHINES:=.d)
+
 # Under the sanitizers of suite-sanitize, whose objects these are too: two halves at once.
 FAULTS_RUN := ASAN_OPTIONS=exitcode=126 UBSAN_OPTIONS=exitcode=126 $(MAKE) BUILD=$(BUILD)/sanitize CC=clang OPT=-O1 \
 	CFLAGS="$(SANITIZE)" CORE_CFLAGS="$(SANITIZE_CORE)"
 suite-faults:
 	@$(FAULTS_RUN) suite-faulted
 
-suite-faulted: $(FAULTS_TOOLS)
-	@printf '%s 2\n' 0 1 | xargs -P 2 -L 1 $(FAULTS_TOOLS)
+suite-faulted: $(FAULTS_TOOLS) $(FAULTS_MACHINES)
+	@status=0; printf '%s 2\n' 0 1 | xargs -P 2 -L 1 $(FAULTS_TOOLS) || status=1; \
+	for program in $(FAULTS_MACHINES); do echo "# $$program"; $$program || status=1; done; exit $$status
 
+# FAULTS_PAIRS: how many of each program; a tool's run takes 50 ms.
 suite-faults-pairs:
-	@$(FAULTS_RUN) suite-faulted-pairs
+	@FAULTS_PAIRS=$(or $(FAULTS_PAIRS),600) $(FAULTS_RUN) suite-faulted-pairs
 
-suite-faulted-pairs: $(FAULTS_TOOLS)
-	@printf '%s 2 pairs\n' 0 1 | xargs -P 2 -L 1 $(FAULTS_TOOLS)
+suite-faulted-pairs: $(FAULTS_TOOLS) $(FAULTS_MACHINES)
+	@status=0; printf '%s 2 pairs\n' 0 1 | xargs -P 2 -L 1 $(FAULTS_TOOLS) || status=1; \
+	for program in $(FAULTS_MACHINES); do echo "# $$program"; FAULTS_PAIRS=$$(($$FAULTS_PAIRS * 20)) $$program || status=1; done; exit $$status
 
 .PHONY: suite-faults suite-faulted suite-faults-pairs suite-faulted-pairs
