@@ -12,7 +12,7 @@
 #include <unistd.h>
 #include <zlib.h>
 
-enum { PLACE_TEXT = 8192, PLACE_NAME = 512, PLACE_FILES = 64 };
+enum { PLACE_TEXT = 8192, PLACE_NAME = 512, PLACE_PATH = 2048, PLACE_FILES = 64 };
 
 struct place_text {
     char text[PLACE_TEXT];
@@ -23,6 +23,12 @@ static inline void place_fail(const char *what)
 {
     perror(what);
     abort();
+}
+
+static inline void place_path(char path[PLACE_PATH], const char *folder, const char *name)
+{
+    if (snprintf(path, PLACE_PATH, "%s/%s", folder, name) >= PLACE_PATH)
+        abort();
 }
 
 static inline unsigned long place_sum(const char *path)
@@ -63,11 +69,11 @@ static inline size_t place_names(const char *folder, char name[PLACE_FILES][PLAC
 /* Adds a line for each file below a folder. */
 static inline void place_add(const char *folder, struct place_text *out)
 {
-    char name[PLACE_FILES][PLACE_NAME], path[2 * PLACE_NAME];
+    char name[PLACE_FILES][PLACE_NAME], path[PLACE_PATH];
     size_t count = place_names(folder, name);
     for (size_t i = 0; i < count; i++) {
         struct stat status;
-        snprintf(path, sizeof path, "%s/%s", folder, name[i]);
+        place_path(path, folder, name[i]);
         if (lstat(path, &status) != 0)
             place_fail(path);
         const bool inner = S_ISDIR(status.st_mode);
@@ -104,11 +110,11 @@ static inline bool place_is_part(const struct place_text *there, const struct pl
 /* Removes all below a folder. */
 static inline void place_clear(const char *folder)
 {
-    char name[PLACE_FILES][PLACE_NAME], path[2 * PLACE_NAME];
+    char name[PLACE_FILES][PLACE_NAME], path[PLACE_PATH];
     size_t count = place_names(folder, name);
     for (size_t i = 0; i < count; i++) {
         struct stat status;
-        snprintf(path, sizeof path, "%s/%s", folder, name[i]);
+        place_path(path, folder, name[i]);
         if (lstat(path, &status) == 0 && S_ISDIR(status.st_mode)) {
             place_clear(path);
             rmdir(path);

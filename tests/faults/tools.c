@@ -187,10 +187,12 @@ static void fail_next(int first, int second, int reason)
 static unsigned singles(const struct tool *tool, const struct outcome *good, int calls, unsigned *failures)
 {
     static const int reasons[] = {EIO, ENOSPC, EINTR, EAGAIN, ENOMEM};
+    const char *sparse = getenv("FAULTS_SPARSE"); /* of the calls only each so-many-th */
+    const int step = (int)tool->step * (sparse ? atoi(sparse) : 1);
     unsigned runs = 1;
     fail_next(0, 0, EIO);
     *failures += !try(tool, good, true);
-    for (int k = (int)tool->from; k <= calls && *failures < MOST_FAILURES; k += (int)tool->step, runs++) {
+    for (int k = (int)tool->from; k <= calls && *failures < MOST_FAILURES; k += step, runs++) {
         fail_next(k, 0, reasons[runs % 5]);
         *failures += !try(tool, good, runs % 7 == 0);
     }

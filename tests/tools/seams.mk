@@ -22,22 +22,24 @@ FAULTS_MACHINES := $(patsubst tests/%.c,$(BUILD)/tests/%,$(filter-out %/tools.c 
 $(FAULTS_MACHINES): HOST_FLAGS += -Itests/unit -Itests/unit/gpiod_v2 $(VIEW_FLAGS)
 -include $(FAULTS_MACHINES:=.d)
 
-# Under the sanitizers of suite-sanitize, whose objects these are too: two halves at once.
-FAULTS_RUN := ASAN_OPTIONS=exitcode=126 UBSAN_OPTIONS=exitcode=126 $(MAKE) BUILD=$(BUILD)/sanitize CC=clang OPT=-O1 \
+# Each call, two halves of the cases at once.
+faults_tools = printf '%s 2$(1)\n' 0 1 | xargs -P 2 -L 1 $(FAULTS_TOOLS) || status=1
+suite-faults: $(FAULTS_TOOLS) $(FAULTS_MACHINES)
+	@status=0; $(call faults_tools); for program in $(FAULTS_MACHINES); do echo "# $$program"; $$program || status=1; done; \
+	$(FAULTS_SANITIZED) FAULTS_SPARSE=16 suite-faults-sanitized || status=1; exit $$status
+
+# Under the sanitizers of suite-sanitize, whose objects these are too, a tool takes ten times as long.
+FAULTS_SANITIZED := ASAN_OPTIONS=exitcode=126 UBSAN_OPTIONS=exitcode=126 $(MAKE) BUILD=$(BUILD)/sanitize CC=clang OPT=-O1 \
 	CFLAGS="$(SANITIZE)" CORE_CFLAGS="$(SANITIZE_CORE)"
-suite-faults:
-	@$(FAULTS_RUN) suite-faulted
+suite-faults-sanitized: $(FAULTS_TOOLS)
+	@status=0; export FAULTS_SPARSE; $(call faults_tools); exit $$status
 
-suite-faulted: $(FAULTS_TOOLS) $(FAULTS_MACHINES)
-	@status=0; printf '%s 2\n' 0 1 | xargs -P 2 -L 1 $(FAULTS_TOOLS) || status=1; \
-	for program in $(FAULTS_MACHINES); do echo "# $$program"; $$program || status=1; done; exit $$status
-
-# FAULTS_PAIRS: how many of each program; a tool's run takes 50 ms.
+# FAULTS_PAIRS: how many of each tool, and 20 times as many of each machine.
 suite-faults-pairs:
-	@FAULTS_PAIRS=$(or $(FAULTS_PAIRS),600) $(FAULTS_RUN) suite-faulted-pairs
+	@FAULTS_PAIRS=$(or $(FAULTS_PAIRS),600) $(FAULTS_SANITIZED) FAULTS_SPARSE=1 suite-faults-pairs-sanitized
 
-suite-faulted-pairs: $(FAULTS_TOOLS) $(FAULTS_MACHINES)
-	@status=0; printf '%s 2 pairs\n' 0 1 | xargs -P 2 -L 1 $(FAULTS_TOOLS) || status=1; \
-	for program in $(FAULTS_MACHINES); do echo "# $$program"; FAULTS_PAIRS=$$(($$FAULTS_PAIRS * 20)) $$program || status=1; done; exit $$status
+suite-faults-pairs-sanitized: $(FAULTS_TOOLS) $(FAULTS_MACHINES) suite-faults-sanitized
+	@status=0; $(call faults_tools, pairs); for program in $(FAULTS_MACHINES); do echo "# $$program"; \
+		FAULTS_PAIRS=$$(($$FAULTS_PAIRS * 20)) $$program || status=1; done; exit $$status
 
-.PHONY: suite-faults suite-faulted suite-faults-pairs suite-faulted-pairs
+.PHONY: suite-faults suite-faults-sanitized suite-faults-pairs suite-faults-pairs-sanitized
