@@ -53,11 +53,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     char path[64], *told = NULL;
     size_t told_size = 0;
     struct pack_result packed;
-    FILE *was = stderr;
+    FILE *was = stderr, *heard = open_memstream(&told, &told_size);
     int file = fuzz_file(data, size, path);
-    FUZZ_CHECK((stderr = open_memstream(&told, &told_size)));
+    FUZZ_CHECK(heard);
+    stderr = heard;
     int code = pack_load(path, NULL, &packed);
-    fclose(stderr);
+    fclose(heard);
     stderr = was;
     close(file);
     unlink(path);

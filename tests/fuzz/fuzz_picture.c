@@ -9,10 +9,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     char *told = NULL;
     size_t told_size = 0;
     struct image image;
-    FILE *was = stderr;
-    FUZZ_CHECK((stderr = open_memstream(&told, &told_size)));
+    FILE *was = stderr, *heard = open_memstream(&told, &told_size);
+    FUZZ_CHECK(heard);
+    stderr = heard;
     int code = size ? image_read_png_bytes("a.png", data, size, &image) : 1;
-    fclose(stderr);
+    fclose(heard);
     stderr = was;
     const char *end = strchr(told, '\n');
     FUZZ_CHECK(size == 0 || (code == 0 ? told_size == 0 : code == 1 && end && !end[1] && !image.rgb));

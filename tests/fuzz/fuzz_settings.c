@@ -47,13 +47,14 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     char *arguments[] = {program, option, path, NULL};
     size_t told_size = 0;
     struct settings settings;
-    FILE *was = stderr;
+    FILE *was = stderr, *heard = open_memstream(&told, &told_size);
     int file = memfd_create("board", 0);
     FUZZ_CHECK(file >= 0 && write(file, data, size) == (ssize_t)size);
     snprintf(path, sizeof path, "/proc/self/fd/%d", file);
-    FUZZ_CHECK((stderr = open_memstream(&told, &told_size)));
+    FUZZ_CHECK(heard);
+    stderr = heard;
     int code = settings_read(&settings, 3, arguments);
-    fclose(stderr);
+    fclose(heard);
     stderr = was;
     close(file);
     const char *end = strchr(told, '\n');
