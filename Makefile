@@ -66,7 +66,7 @@ view: deps-view ## Build the viewer of streams, build/glint-view, with USB and a
 	@echo "$(VIEW): shows the device on USB, file:PATH or what comes by a pipe; --help has all, in its window h the keys"
 
 test: deps-test ## Run every test; the last line counts them
-	$(Q)tests/tools/run.sh unit hard fuzz cli models budget core golden device rp2040 linux docs sanitize bench
+	$(Q)tests/tools/run.sh unit hard fuzz faults cli models budget core golden device rp2040 linux docs sanitize bench
 
 test-unit: deps-test ## Unit tests
 	$(Q)tests/tools/run.sh unit
@@ -79,6 +79,12 @@ test-hard-arm: deps-test ## Its finished pixels once more, by the loops that are
 
 test-fuzz: deps-test ## What `make fuzz` found of interest, given to the parsers of streams again, and that it reaches all their lines
 	$(Q)tests/tools/run.sh fuzz
+
+test-faults: deps-test ## Programs whose calls of libraries, kernel and devices fail, one after another, then some pairs
+	$(Q)tests/tools/run.sh faults
+
+test-faults-pairs: deps-test ## The same with FAULTS_PAIRS=600 pairs of each tool's calls, and 20 times as many of a machine's (15 minutes)
+	$(Q)tests/tools/run.sh faults-pairs
 
 test-cli: deps-test ## The command line tool against good and bad input
 	$(Q)tests/tools/run.sh cli
@@ -197,7 +203,7 @@ clean: ## Remove the build folder
 	$(Q)rm -rf $(BUILD)
 
 help: ## List the targets
-	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/\1\t\2/p' Makefile | awk -F '\t' '{ printf "  make %-16s %s\n", $$1, $$2 }'
+	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/\1\t\2/p' Makefile | awk -F '\t' '{ printf "  make %-17s %s\n", $$1, $$2 }'
 
 # --- host build -------------------------------------------------------------------------------------------------
 
@@ -254,12 +260,13 @@ include tests/tools/hard.mk
 include tests/tools/targets.mk
 include tests/tools/prove.mk
 include tests/tools/coverage.mk
+include tests/tools/prove_bytes.mk
+include tests/tools/seams.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
 # All that have a line of help, and the lists of packages.
 GOALS := $(shell sed -n 's/^\([a-z0-9-]*\):.*\#\# .*/\1/p' Makefile) $(DEPS_LISTS:%=deps-%)
-include tests/tools/prove_bytes.mk
 .PHONY: $(GOALS) tool
 # Several are made one after another, also with -j: each calls a make of its own, in the same folder.
 ifneq ($(word 2,$(filter $(GOALS),$(MAKECMDGOALS))),)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Pictures wait in a hidden folder inside the one asked for, where they cannot touch an older run's, and move out when
- * all are complete. */
+ * all are complete: all of them, or none. */
 #include "host/displays.h"
 
 #include <errno.h>
@@ -17,13 +17,37 @@ struct folder {
     struct host_display picture; /* the one being written: open while its ops are set */
     int made;                    /* the folder was not there before */
     size_t room;                 /* bytes of each name */
-    char *stage, *waiting, *target;
+    char *stage, *waiting, *older, *target;
 };
 
 static void folder_name(struct folder *folder, const char *path, uint32_t index)
 {
     snprintf(folder->waiting, folder->room, "%s/frame-%04u.png", folder->stage, (unsigned)index);
+    snprintf(folder->older, folder->room, "%s/older-%04u.png", folder->stage, (unsigned)index);
     snprintf(folder->target, folder->room, "%s/frame-%04u.png", path, (unsigned)index);
+}
+
+/* The picture takes its place; what was there waits until all have theirs. */
+static int folder_move(const struct folder *folder)
+{
+    struct stat there;
+    if (stat(folder->target, &there) == 0 && S_ISDIR(there.st_mode)) {
+        errno = EISDIR;
+        return HAL_E_IO;
+    }
+    if (rename(folder->target, folder->older) != 0 && errno != ENOENT)
+        return HAL_E_IO;
+    return rename(folder->waiting, folder->target) == 0 ? 0 : HAL_E_IO;
+}
+
+/* So many pictures that have moved are gone, and what was there before them, and before the next, is there again. */
+static void folder_move_back(struct folder *folder, const char *path, uint32_t moved)
+{
+    for (uint32_t i = 0; i <= moved; i++) {
+        folder_name(folder, path, i);
+        if (rename(folder->older, folder->target) != 0 && i < moved)
+            unlink(folder->target);
+    }
 }
 
 static int folder_make(struct folder *folder, const char *path)
@@ -49,7 +73,7 @@ static int folder_open(struct hal_display *display, uint16_t width, uint16_t hei
 {
     struct host_display *host = (struct host_display *)display;
     size_t room = strlen(host->path) + sizeof FOLDER_STAGE + sizeof FOLDER_PICTURE;
-    int result = host_display_prepare(host, width, height, format, (uint32_t)(3 * room));
+    int result = host_display_prepare(host, width, height, format, (uint32_t)(4 * room));
     if (result)
         return result;
     struct folder *folder = host->folder = calloc(1, sizeof *folder);
@@ -58,7 +82,8 @@ static int folder_open(struct hal_display *display, uint16_t width, uint16_t hei
         folder->room = room;
         folder->stage = (char *)host->pixels;
         folder->waiting = folder->stage + room;
-        folder->target = folder->waiting + room;
+        folder->older = folder->waiting + room;
+        folder->target = folder->older + room;
         snprintf(folder->stage, room, "%s" FOLDER_STAGE, host->path);
         result = folder_make(folder, host->path);
     }
@@ -111,12 +136,17 @@ static int folder_close(struct hal_display *display, int keep)
     int result = 0, reason = 0;
     if (folder->picture.display.ops)
         png_display.close(&folder->picture.display, 0);
+    for (uint32_t i = 0; keep && !result && i < host->count; i++) {
+        folder_name(folder, host->path, i);
+        if ((result = folder_move(folder)) != 0) {
+            reason = errno;
+            folder_move_back(folder, host->path, i);
+        }
+    }
     for (uint32_t i = 0; i < host->count; i++) {
         folder_name(folder, host->path, i);
-        if (keep && !result && rename(folder->waiting, folder->target) != 0)
-            result = HAL_E_IO, reason = errno;
-        if (!keep || result)
-            unlink(folder->waiting);
+        unlink(folder->waiting);
+        unlink(folder->older);
     }
     rmdir(folder->stage);
     if (folder->made && !(keep && !result))

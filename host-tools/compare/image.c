@@ -14,13 +14,28 @@ struct image_reader {
     png_infop info;
     png_bytep *rows;
     struct image *image;
+    bool no_memory, unread; /* the picture is not to blame */
 };
+
+static png_voidp image_allocate(png_structp png, png_alloc_size_t size)
+{
+    struct image_reader *reader = png_get_mem_ptr(png);
+    void *memory = malloc(size);
+    reader->no_memory |= !memory;
+    return memory;
+}
+
+static void image_release(png_structp png, png_voidp memory)
+{
+    (void)png;
+    free(memory);
+}
 
 /* libpng's way out of any depth: it expects not to return. */
 static void image_error(png_structp png, png_const_charp reason)
 {
     const struct image_reader *reader = png_get_error_ptr(png);
-    fprintf(stderr, "%s: %s\n", reader->path, reason);
+    fprintf(stderr, "%s: %s\n", reader->path, reader->no_memory ? "out of memory" : reason);
     png_longjmp(png, 1);
 }
 
@@ -31,9 +46,11 @@ static void image_warning(png_structp png, png_const_charp reason)
 
 static void image_read_bytes(png_structp png, png_bytep bytes, size_t size)
 {
-    FILE *file = png_get_io_ptr(png);
-    if (fread(bytes, 1, size, file) != size)
-        png_error(png, ferror(file) ? strerror(errno) : "the file ends too early");
+    struct image_reader *reader = png_get_io_ptr(png);
+    if (fread(bytes, 1, size, reader->file) == size)
+        return;
+    reader->unread = ferror(reader->file);
+    png_error(png, reader->unread ? strerror(errno) : "the file ends too early");
 }
 
 /* Everything that may end in image_error(). */
@@ -41,7 +58,7 @@ static void image_decode(struct image_reader *reader)
 {
     png_structp png = reader->png;
     struct image *image = reader->image;
-    png_set_read_fn(png, reader->file, image_read_bytes);
+    png_set_read_fn(png, reader, image_read_bytes);
     png_set_user_limits(png, IMAGE_MAX_SIZE, IMAGE_MAX_SIZE);
     png_read_info(png, reader->info);
     png_set_expand(png);
@@ -57,7 +74,8 @@ static void image_decode(struct image_reader *reader)
         png_error(png, "an unusual pixel format");
     image->rgb = malloc(row * image->height);
     reader->rows = malloc(image->height * sizeof *reader->rows);
-    if (!image->rgb || !reader->rows)
+    reader->no_memory = !image->rgb || !reader->rows;
+    if (reader->no_memory)
         png_error(png, "out of memory");
     for (unsigned y = 0; y < image->height; y++)
         reader->rows[y] = image->rgb + y * row;
@@ -90,9 +108,11 @@ static int image_read_file(const char *path, FILE *file, struct image *image)
     if (size < sizeof signature || png_sig_cmp(signature, 0, sizeof signature)) {
         fprintf(stderr, "%s: not a PNG file\n", path);
     } else {
-        reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader, image_error, image_warning);
+        reader.png = png_create_read_struct_2(PNG_LIBPNG_VER_STRING, &reader, image_error, image_warning, &reader,
+                                              image_allocate, image_release);
         reader.info = reader.png ? png_create_info_struct(reader.png) : NULL;
         if (!reader.info) {
+            reader.no_memory = true;
             fprintf(stderr, "%s: out of memory\n", path);
         } else {
             png_set_sig_bytes(reader.png, sizeof signature);
@@ -104,7 +124,7 @@ static int image_read_file(const char *path, FILE *file, struct image *image)
     fclose(reader.file);
     if (!done)
         image_free(image);
-    return done ? 0 : 1;
+    return done ? 0 : reader.no_memory || reader.unread ? 3 : 1;
 }
 
 int image_read_png(const char *path, struct image *image)

@@ -14,8 +14,8 @@ struct image {
 };
 
 /* Reads a PNG of any colour type; alpha is left out, 16 bits are rounded to 8. Returns the exit code of the command
- * line: 0; 1, not a whole PNG; 3, not readable at all. After a failure, one line has been printed on stderr and there
- * is nothing to free. */
+ * line: 0; 1, not a whole PNG; 3, not readable, or no memory for it. After a failure, one line has been printed on
+ * stderr and there is nothing to free. */
 int image_read_png(const char *path, struct image *image);
 
 /* The same from memory; `name` is for messages. */

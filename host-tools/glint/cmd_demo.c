@@ -14,6 +14,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #define DEMO_PANELS 4
 #define DEMO_GAP    4u  /* pixels between panels */
@@ -196,6 +197,7 @@ static int demo_run(struct demo *demo, const char *folder, unsigned height)
     char *with_slash = model_alloc(size), *animation = model_alloc(size);
     snprintf(with_slash, size, "%s%s", folder, folder[strlen(folder) - 1] == '/' ? "" : "/");
     snprintf(animation, size, "%sdemo.png", with_slash);
+    const bool made = access(with_slash, F_OK) != 0;
     int code = demo_layout(demo, height);
     if (!code)
         code = demo_open(demo, with_slash, animation);
@@ -207,6 +209,8 @@ static int demo_run(struct demo *demo, const char *folder, unsigned height)
     int closed = output_close(&demo->animation, !code);
     output_close(&demo->folder, false);
     code = code ? code : closed;
+    if (code && made) /* if there is nothing in it: when the pictures could not move, the animation was */
+        rmdir(with_slash);
     if (!code && !cli_interrupted())
         demo_report(demo);
     for (int p = 0; p < DEMO_PANELS; p++)

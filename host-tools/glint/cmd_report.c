@@ -57,6 +57,7 @@ struct report {
     struct costs costs; /* its paths are the options' */
     char *path[REPORT_FILES];
     struct sink sink[REPORT_FILES];
+    bool made; /* the folder was not there */
 };
 
 /* The method whose name is the first `length` characters, unless it is chosen already. */
@@ -180,13 +181,12 @@ static int report_problem(const char *path)
     return CLI_IO;
 }
 
-/* Opens its files; `made`: the folder was not there. */
-static int report_open(struct report *report, bool *made)
+static int report_open(struct report *report)
 {
     static const char *const names[REPORT_FILES] = {"index.html", "report.csv", "sweep.csv", "stream.csv"};
     cli_catch_signals();
-    *made = mkdir(report->folder, 0777) == 0;
-    if (!*made && errno != EEXIST)
+    report->made = mkdir(report->folder, 0777) == 0;
+    if (!report->made && errno != EEXIST)
         return report_problem(report->folder);
     for (unsigned i = 0; i < REPORT_FILES; i++) {
         if (!report_wants(report, i))
@@ -249,20 +249,41 @@ static int report_scenes(struct report *report, const char *const paths[], unsig
     return code;
 }
 
+/* What model_alloc() without memory ends, among others: leaves no half a report. */
+static struct report *report_under_way;
+static pid_t report_process; /* not the importer's */
+
+static void report_close(struct report *report)
+{
+    for (unsigned i = 0; i < REPORT_FILES; i++)
+        sink_close(&report->sink[i], 0);
+    if (report->made)
+        rmdir(report->folder);
+}
+
+static void report_abandon(void)
+{
+    if (report_under_way && getpid() == report_process)
+        report_close(report_under_way);
+}
+
 static int report_run(struct report *report, const char *const paths[], unsigned count)
 {
-    bool made = false;
     int code = costs_read(&report->costs);
     report_default(report);
+    report_under_way = report;
+    report_process = getpid();
+    atexit(report_abandon);
     if (!code)
-        code = report_open(report, &made);
+        code = report_open(report);
     if (!code)
         code = report_scenes(report, paths, count);
     for (unsigned i = REPORT_FILES; i-- > 0;) /* the page last: it is never there without the tables */
         if (report_wants(report, i) && sink_close(&report->sink[i], !code) != 0 && !code)
             code = report_problem(report->path[i]);
-    if (code && made)
-        rmdir(report->folder);
+    if (code)
+        report_close(report);
+    report_under_way = NULL;
     if (!code)
         printf("%s: %u scene%s by %u methods\n", report->path[REPORT_PAGE], count, count == 1 ? "" : "s",
                report->method_count);

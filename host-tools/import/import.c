@@ -21,6 +21,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#define NO_PIPE 4 /* the importing process' exit status; 3 is model_alloc()'s */
+
 struct reply {
     char said[256]; /* the reason, or a warning */
     bool failed, has_uvs;
@@ -60,7 +62,8 @@ int import_check_readable(const char *path)
     return 0;
 }
 
-static void send_model(FILE *out, const char *path, double crease)
+/* False if the other end has not got all. */
+static bool send_model(FILE *out, const char *path, double crease)
 {
     bool has_normals = false;
     struct reply reply = {0};
@@ -100,6 +103,7 @@ static void send_model(FILE *out, const char *path, double crease)
         fwrite(mesh->triangles, sizeof *mesh->triangles, mesh->triangle_count, out);
     }
     model_free(&model);
+    return !ferror(out);
 }
 
 /* False if the pipe ended early. */
@@ -160,14 +164,11 @@ static FILE *start(const char *path, double crease, pid_t *child)
         close(ends[0]);
         /* its last words before a crash are not ours, unless a sanitizer says them */
         if (!LIMITS_SANITIZED && !freopen("/dev/null", "w", stderr))
-            _exit(1);
+            _exit(NO_PIPE);
         limits_set(path);
         FILE *out = fdopen(ends[1], "wb");
-        if (out) {
-            send_model(out, path, crease);
-            fclose(out);
-        }
-        _exit(0);
+        const bool sent = out && send_model(out, path, crease);
+        _exit(out && fclose(out) == 0 && sent ? 0 : NO_PIPE);
     }
     close(ends[1]);
     FILE *in = *child > 0 ? fdopen(ends[0], "rb") : NULL;
@@ -214,15 +215,17 @@ int import_file(const char *path, double crease, struct model *model, size_t mes
         return code;
     if (!in)
         return fail(path, strerror(errno), 3);
-    bool whole = receive(in, &reply, model, mesh);
-    int status = 0;
+    bool whole = receive(in, &reply, model, mesh), unread = ferror(in);
+    int status = 0, reason = errno;
     fclose(in);
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
     const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     if (signal == SIGXCPU || signal == SIGKILL || signal == SIGALRM)
         return fail(path, "malformed: the importer finds no end of it", 1);
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 3) /* of model_alloc() */
+    if (unread || (WIFEXITED(status) && WEXITSTATUS(status) == NO_PIPE))
+        return fail(path, strerror(unread ? reason : EIO), 3);
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 3)
         return fail(path, "too large: the importer has not enough memory for it", 1);
     if (!whole)
         return fail(path, "malformed: the importer breaks down over it", 1);

@@ -25,8 +25,7 @@ static int read_blob(const char *path, struct pack_result *result)
     FILE *file = fopen(path, "rb");
     if (!file)
         return fail(path, strerror(errno), PACK_IO);
-    fseek(file, 0, SEEK_END);
-    long size = ftell(file);
+    long size = fseek(file, 0, SEEK_END) == 0 ? ftell(file) : -1;
     rewind(file);
     void *bytes = malloc(size > 0 && size <= MOST_BLOB ? (size_t)size : 1);
     bool complete = size >= 0 && size <= MOST_BLOB && bytes && fread(bytes, 1, (size_t)size, file) == (size_t)size;

@@ -143,9 +143,8 @@ static bool has_area(const struct corner c[3])
 
 static void open_part(struct state *s)
 {
-    s->out->parts = realloc(s->out->parts, (s->out->part_count + 1) * sizeof *s->out->parts);
-    if (!s->out->parts)
-        abort();
+    size_t count = s->out->part_count;
+    s->out->parts = model_add(s->out->parts, &count, sizeof *s->out->parts);
     s->part = &s->out->parts[s->out->part_count++];
     *s->part = (struct quantise_part){.head = s->grid};
     s->part->vertices = model_alloc(MOST_PART * sizeof *s->part->vertices);

@@ -34,8 +34,7 @@ void *model_grow(void *array, size_t count, size_t *room, size_t element)
     return checked(*room > SIZE_MAX / element ? NULL : realloc(array, *room * element));
 }
 
-/* Room for one more element, zeroed; these arrays are short, so they grow by one. */
-static void *add(void *array, size_t *count, size_t element)
+void *model_add(void *array, size_t *count, size_t element)
 {
     array = checked(realloc(array, (*count + 1) * element));
     memset((char *)array + element * (*count)++, 0, element);
@@ -44,7 +43,7 @@ static void *add(void *array, size_t *count, size_t element)
 
 struct model_mesh *model_add_mesh(struct model *model, const char *name)
 {
-    model->meshes = add(model->meshes, &model->mesh_count, sizeof *model->meshes);
+    model->meshes = model_add(model->meshes, &model->mesh_count, sizeof *model->meshes);
     struct model_mesh *mesh = &model->meshes[model->mesh_count - 1];
     mesh->name = model_copy(name);
     return mesh;
@@ -52,7 +51,7 @@ struct model_mesh *model_add_mesh(struct model *model, const char *name)
 
 struct model_material *model_add_material(struct model *model, const char *name)
 {
-    model->materials = add(model->materials, &model->material_count, sizeof *model->materials);
+    model->materials = model_add(model->materials, &model->material_count, sizeof *model->materials);
     struct model_material *m = &model->materials[model->material_count - 1];
     *m = (struct model_material){
         .diffuse = {1, 1, 1}, .specular = {1, 1, 1}, .ka = 1, .kd = 1, .shininess = 1, .texture = -1, .bump = -1};
@@ -62,7 +61,7 @@ struct model_material *model_add_material(struct model *model, const char *name)
 
 struct model_object *model_add_object(struct model *model)
 {
-    model->objects = add(model->objects, &model->object_count, sizeof *model->objects);
+    model->objects = model_add(model->objects, &model->object_count, sizeof *model->objects);
     struct model_object *object = &model->objects[model->object_count - 1];
     object->material = -1;
     object->pose = model_identity;
@@ -71,19 +70,19 @@ struct model_object *model_add_object(struct model *model)
 
 struct model_light *model_add_light(struct model *model)
 {
-    model->lights = add(model->lights, &model->light_count, sizeof *model->lights);
+    model->lights = model_add(model->lights, &model->light_count, sizeof *model->lights);
     return &model->lights[model->light_count - 1];
 }
 
 struct model_key *model_add_key(struct model *model)
 {
-    model->keys = add(model->keys, &model->key_count, sizeof *model->keys);
+    model->keys = model_add(model->keys, &model->key_count, sizeof *model->keys);
     return &model->keys[model->key_count - 1];
 }
 
 struct model_texture *model_add_texture(struct model *model, const char *name)
 {
-    model->textures = add(model->textures, &model->texture_count, sizeof *model->textures);
+    model->textures = model_add(model->textures, &model->texture_count, sizeof *model->textures);
     struct model_texture *texture = &model->textures[model->texture_count - 1];
     texture->name = model_copy(name);
     return texture;

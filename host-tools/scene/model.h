@@ -139,6 +139,8 @@ void model_free(struct model *model);
 /* malloc and strdup that do not return null. */
 void *model_alloc(size_t size);
 char *model_copy(const char *text);
+/* Room for one more element, zeroed and counted; for short arrays, which grow by one. */
+void *model_add(void *array, size_t *count, size_t element);
 /* Room for at least count + 1 elements, doubling; returns the array, perhaps moved. */
 void *model_grow(void *array, size_t count, size_t *room, size_t element);
 

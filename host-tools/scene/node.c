@@ -1,24 +1,41 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/node.h"
 
+#include "scene/model.h"
+
+#include <errno.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-bool node_open(struct node_file *file, const char *path, struct node *root)
+/* Without memory it would say that the file is malformed. */
+static json_t *parse(FILE *file, json_error_t *error)
+{
+    json_set_alloc_funcs(model_alloc, free);
+    return json_loadf(file, JSON_REJECT_DUPLICATES, error);
+}
+
+int node_open(struct node_file *file, const char *path, struct node *root)
 {
     json_error_t error;
-    *file = (struct node_file){.path = path};
-    file->root = json_load_file(path, JSON_REJECT_DUPLICATES, &error);
-    if (!file->root) {
+    FILE *stream = fopen(path, "rb");
+    *file = (struct node_file){.path = path, .root = stream ? parse(stream, &error) : NULL};
+    *root = (struct node){.file = file, .value = file->root};
+    const bool unread = !stream || ferror(stream);
+    if (unread) {
+        fprintf(stderr, "%s: %s\n", path, strerror(errno));
+        node_close(file);
+    } else if (!file->root) {
         for (char *at = error.text; *at; at++) /* it quotes the file, which may not be text */
             *at = (unsigned char)*at < ' ' ? '?' : *at;
         fprintf(stderr, "%s:%d: %s\n", path, error.line > 0 ? error.line : 1, error.text);
-        file->failed = true;
     }
-    *root = (struct node){.file = file, .value = file->root};
-    return !file->failed;
+    if (stream)
+        fclose(stream);
+    file->failed = !file->root;
+    return unread ? 3 : file->failed;
 }
 
 void node_close(struct node_file *file)

@@ -28,8 +28,9 @@ struct node {
     json_t *value; /* null: absent */
 };
 
-/* Parses a file; false after printing `path:line: reason`. */
-bool node_open(struct node_file *file, const char *path, struct node *root);
+/* Parses a file: an exit code, and if it is not 0, `path:line: reason` or `path: reason` has been printed. Nothing that
+ * jansson allocates from here on is null (model_alloc()). */
+int node_open(struct node_file *file, const char *path, struct node *root);
 void node_close(struct node_file *file);
 
 /* Prints `path: way.to.it: message`, if nothing has failed before. */

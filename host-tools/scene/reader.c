@@ -153,9 +153,10 @@ int reader_load(const char *path, struct model *model)
 {
     struct node_file file;
     struct node root;
-    int exit_code = 1;
     *model = (struct model){0};
-    if (node_open(&file, path, &root)) {
+    int exit_code = node_open(&file, path, &root);
+    if (!exit_code) {
+        exit_code = 1; /* if anything is wrong with it */
         node_object(&root, "materials textures bumps meshes objects lights camera ambient background fog duration");
         node_member_vector(&root, "ambient", model->ambient, 3, 0, 1);
         node_member_vector(&root, "background", model->background, 3, 0, 1);

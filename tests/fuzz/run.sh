@@ -15,6 +15,9 @@ one() {
     case $1 in # bytes, by what they have to hold
     fuzz_view) most=1280 ;;
     fuzz_remote) most=320 ;;
+    fuzz_scene) most=4000 ;;
+    fuzz_json) most=1600 ;;
+    fuzz_picture) most=400 ;;
     *) most=192 ;;
     esac
     ASAN_OPTIONS=quarantine_size_mb=1:malloc_context_size=4 "$build/fuzz/$1" -max_total_time="$seconds" -max_len=$most \

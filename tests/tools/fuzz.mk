@@ -9,8 +9,9 @@ FUZZ_LIB := $(BUILD)/fuzz/libfuzz.a
 FUZZ_SCENES := mini clip
 FUZZ_SCENE_C := $(SCENE_DIR)/fuzz_list.c $(FUZZ_SCENES:%=$(SCENE_DIR)/%.c)
 FUZZ_BIN := $(FUZZ_TARGETS:%=$(BUILD)/fuzz/%)
-# Wrapping that is meant is marked, in the viewer too.
-FUZZ_SANITIZE := $(SANITIZE) $(SANITIZE_CORE) -fsanitize=fuzzer-no-link
+# Wrapping that is meant is marked in the renderer, and in the viewer too.
+FUZZ_SANITIZE := $(SANITIZE) -fsanitize=fuzzer-no-link
+$(filter $(BUILD)/obj/host-tools/view/%,$(HOST_OBJ)): HAL_CFLAGS = $(if $(FUZZER),$(SANITIZE_CORE))
 
 $(SCENE_DIR)/fuzz_list.c: tests/tools/scene_list.sh tests/tools/fuzz.mk
 	@mkdir -p $(@D)
@@ -21,22 +22,30 @@ $(FUZZ_LIB): $(filter $(FUZZ_SRC:%.c=$(BUILD)/obj/%.o) $(BUILD)/obj/firmware/app
 	@mkdir -p $(@D)
 	$(Q)rm -f $@; $(AR) rcs $@ $^
 
-# FUZZER: the library that makes the inputs up, or none: the corpus. A message's checks are repaired by mutate.c.
-FUZZ_MAIN := tests/fuzz/$(if $(FUZZER),mutate.c,replay.c)
+# FUZZER: the library that makes the inputs up, or none: the corpus. Checksums are repaired by the target's mutator, where it has any.
+FUZZ_MUTATE_fuzz_view := mutate.c
+FUZZ_MUTATE_fuzz_receive := mutate.c
+FUZZ_MUTATE_fuzz_remote := mutate.c
+FUZZ_MUTATE_fuzz_scene := mutate_scene.c
+FUZZ_MUTATE_fuzz_json := mutate_json.c
+FUZZ_MUTATE_fuzz_picture := mutate_picture.c
 FUZZ_FLAGS_fuzz_view := -Wl,--wrap=malloc -Wl,--wrap=realloc
+# Those that read files as the tools do, with all that belongs to it.
+FUZZ_FILES := fuzz_json fuzz_picture fuzz_settings
 FUZZ_PART_fuzz_remote := $(FUZZ_SCENE_C)
+FUZZ_PART_fuzz_settings := $(FUZZ_SCENE_C)
 define fuzz_rule
-$(BUILD)/fuzz/$(1): tests/fuzz/$(1).c $(if $(filter fuzz_pack fuzz_unpack,$(if $(FUZZER),$(1))),,$(FUZZ_MAIN)) $$(FUZZ_PART_$(1)) \
-		$(FUZZ_LIB)
+$(BUILD)/fuzz/$(1): tests/fuzz/$(1).c $(addprefix tests/fuzz/,$(if $(FUZZER),$(FUZZ_MUTATE_$(1)),replay.c)) $$(FUZZ_PART_$(1)) \
+		$(if $(filter $(FUZZ_FILES),$(1)),$(HOST_LIB) $(CORE_LIB),$(FUZZ_LIB))
 	$$(call say,FUZZ,$$<)
 	@mkdir -p $$(@D)
-	$$(Q)$$(CC) $(HOST_FLAGS) -Itests $$(OPT) -g $$(CFLAGS) $$(FUZZER) -MMD -MP -MF $$@.d $$(filter %.c %.a,$$^) $$(FUZZ_FLAGS_$(1)) -lz -lm -o $$@
+	$$(Q)$$(CC) $(HOST_FLAGS) -Itests $$(OPT) -g $$(CFLAGS) $$(FUZZER) -MMD -MP -MF $$@.d $$(filter %.c %.a,$$^) $$(FUZZ_FLAGS_$(1)) $(if $(filter $(FUZZ_FILES),$(1)),$$(PACKAGE_FLAGS) $$(PACKAGE_LIBS)) -lz -lm -o $$@
 endef
 $(foreach t,$(FUZZ_TARGETS),$(eval $(call fuzz_rule,$(t))))
 -include $(FUZZ_BIN:=.d)
 
 fuzz-search: $(FUZZ_SCENE_C)
-	$(Q)$(MAKE) --no-print-directory BUILD=$(BUILD)/fuzz CC=clang CFLAGS="$(FUZZ_SANITIZE)" FUZZER=-fsanitize=fuzzer fuzz-run
+	$(Q)$(MAKE) --no-print-directory BUILD=$(BUILD)/fuzz CC=clang CFLAGS="$(FUZZ_SANITIZE)" CORE_CFLAGS="$(SANITIZE_CORE)" FUZZER=-fsanitize=fuzzer fuzz-run
 
 fuzz-run: $(FUZZ_BIN)
 	$(Q)tests/fuzz/run.sh $(BUILD) $(FUZZ_CORPUS) $(if $(filter file,$(origin SECONDS)),60,$(SECONDS)) $(FUZZ_TARGETS)

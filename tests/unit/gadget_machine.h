@@ -8,6 +8,7 @@
 #define GADGET_MACHINE_H
 
 #include "linux/files.h"
+#include "tests/faults/seam.h"
 
 #include <errno.h>
 #include <linux/usb/functionfs.h>
@@ -26,8 +27,8 @@ enum { USB_NODES = 64, USB_EVENTS = 16, USB_CONTROL = 3, USB_IN, USB_OUT, USB_ST
 struct usb_machine {
     pthread_mutex_t mutex;
     pthread_cond_t change;
-    int calls, fails_at, fails_on, reason; /* as in linux_machine.h */
-    int no_udc, no_composite, no_root;     /* what this machine lacks */
+    struct seam seam;
+    int no_udc, no_composite, no_root; /* what this machine lacks */
     struct {
         char path[128], text[128];
         int folder, link;
@@ -64,8 +65,7 @@ static void usb_unlock(void)
 
 static int usb_fails(void)
 {
-    int call = ++usb_machine.calls;
-    return usb_machine.fails_at && (usb_machine.fails_on ? call >= usb_machine.fails_at : call == usb_machine.fails_at);
+    return seam_fails(&usb_machine.seam);
 }
 
 /* --- the tree -------------------------------------------------------------------------------------------------------
@@ -137,7 +137,7 @@ static int usb_busy(const char *path)
 int files_make_folder(const char *path)
 {
     usb_lock();
-    int result = usb_fails()           ? -usb_machine.reason
+    int result = usb_fails()           ? -usb_machine.seam.reason
                  : usb_machine.no_root ? (usb_machine.configfs ? -EACCES : -ENOENT)
                                        : usb_add(path, "", 1, 0);
     usb_unlock();
@@ -147,7 +147,7 @@ int files_make_folder(const char *path)
 int files_remove_folder(const char *path)
 {
     usb_lock();
-    int result = usb_fails() ? -usb_machine.reason : usb_find(path) < 0 ? -ENOENT : usb_busy(path) ? -EBUSY : 0;
+    int result = usb_fails() ? -usb_machine.seam.reason : usb_find(path) < 0 ? -ENOENT : usb_busy(path) ? -EBUSY : 0;
     for (int i = usb_machine.nodes; !result && i-- > 0;)
         if (usb_under(usb_machine.node[i].path, path) || strcmp(usb_machine.node[i].path, path) == 0)
             usb_delete(i);
@@ -158,7 +158,9 @@ int files_remove_folder(const char *path)
 int files_link(const char *target, const char *path)
 {
     usb_lock();
-    int result = usb_fails() ? -usb_machine.reason : !usb_is_folder(target) ? -ENOENT : usb_add(path, target, 0, 1);
+    int result = usb_fails()              ? -usb_machine.seam.reason
+                 : !usb_is_folder(target) ? -ENOENT
+                                          : usb_add(path, target, 0, 1);
     usb_unlock();
     return result;
 }
@@ -166,7 +168,7 @@ int files_link(const char *target, const char *path)
 int files_unlink(const char *path)
 {
     usb_lock();
-    int result = usb_fails() ? -usb_machine.reason : usb_find(path) < 0 ? -ENOENT : 0;
+    int result = usb_fails() ? -usb_machine.seam.reason : usb_find(path) < 0 ? -ENOENT : 0;
     if (!result)
         usb_delete(usb_find(path));
     usb_unlock();
@@ -179,7 +181,7 @@ int files_mount(const char *source, const char *path, const char *type)
     usb_lock();
     int *mounted = strcmp(type, "configfs") == 0 ? &usb_machine.configfs : &usb_machine.functionfs;
     snprintf(function, sizeof function, USB_GADGET "/functions/ffs.%s", source);
-    int result = usb_fails() ? -usb_machine.reason : usb_machine.no_root ? -EPERM : *mounted ? -EBUSY : 0;
+    int result = usb_fails() ? -usb_machine.seam.reason : usb_machine.no_root ? -EPERM : *mounted ? -EBUSY : 0;
     if (!result && mounted == &usb_machine.functionfs && (!usb_is_folder(function) || !usb_is_folder(path)))
         result = -ENODEV;
     *mounted += !result;
@@ -191,7 +193,7 @@ int files_unmount(const char *path)
 {
     usb_lock();
     int used = usb_machine.open[USB_CONTROL] | usb_machine.open[USB_IN] | usb_machine.open[USB_OUT];
-    int result = usb_fails()                                                      ? -usb_machine.reason
+    int result = usb_fails()                                                      ? -usb_machine.seam.reason
                  : strcmp(path, "/dev/glint-usb") != 0 || !usb_machine.functionfs ? -EINVAL
                  : used                                                           ? -EBUSY
                                                                                   : 0;
@@ -203,7 +205,7 @@ int files_unmount(const char *path)
 int files_first(const char *folder, char *name, size_t size)
 {
     usb_lock();
-    int result = usb_fails()                                              ? -usb_machine.reason
+    int result = usb_fails()                                              ? -usb_machine.seam.reason
                  : strcmp(folder, "/sys/class/udc") || usb_machine.no_udc ? -ENOENT
                                                                           : 0;
     snprintf(name, size, "%s", result ? "" : USB_UDC);
@@ -215,7 +217,7 @@ int files_get(const char *path, char *text, size_t size)
 {
     usb_lock();
     int gadget = strcmp(path, USB_GADGET "/UDC") == 0 && usb_find(USB_GADGET) >= 0;
-    int result = usb_fails()                                                       ? -usb_machine.reason
+    int result = usb_fails()                                                       ? -usb_machine.seam.reason
                  : gadget || strcmp(path, "/sys/class/udc/" USB_UDC "/state") == 0 ? 0
                                                                                    : -ENOENT;
     snprintf(text, size, "%s", gadget ? usb_machine.plugged : "");
@@ -261,7 +263,7 @@ static int usb_plug(const char *name)
 int files_put(const char *path, const char *text)
 {
     usb_lock();
-    int result = usb_fails()                            ? -usb_machine.reason
+    int result = usb_fails()                            ? -usb_machine.seam.reason
                  : strcmp(path, USB_GADGET "/UDC") == 0 ? usb_plug(text)
                                                         : usb_add(path, text, 0, 0);
     usb_unlock();
@@ -272,7 +274,7 @@ int files_open(const char *path, int waits)
 {
     static const char *const names[] = {"/dev/glint-usb/ep0", "/dev/glint-usb/ep1", "/dev/glint-usb/ep2"};
     usb_lock();
-    int result = usb_fails() ? -usb_machine.reason : -ENOENT;
+    int result = usb_fails() ? -usb_machine.seam.reason : -ENOENT;
     for (int i = 0; result == -ENOENT && i < 3 && usb_machine.functionfs; i++)
         if (strcmp(path, names[i]) == 0 && (i == 0) == waits && (i == 0 || usb_machine.tellings == 2)) {
             result = USB_CONTROL + i;
@@ -285,7 +287,7 @@ int files_open(const char *path, int waits)
 int files_event(void)
 {
     usb_lock();
-    int result = usb_fails() ? -usb_machine.reason : USB_STOP;
+    int result = usb_fails() ? -usb_machine.seam.reason : USB_STOP;
     usb_machine.open[USB_STOP] += result == USB_STOP;
     usb_unlock();
     return result;
@@ -318,7 +320,7 @@ int files_wait(int descriptor, int event)
     usb_lock();
     while (!usb_machine.events && !usb_machine.stopped)
         pthread_cond_wait(&usb_machine.change, &usb_machine.mutex);
-    int result = usb_fails() ? -usb_machine.reason : !usb_machine.stopped;
+    int result = usb_fails() ? -usb_machine.seam.reason : !usb_machine.stopped;
     usb_unlock();
     return result;
 }
@@ -329,7 +331,7 @@ long files_read(int descriptor, void *bytes, size_t size)
     long result = -EAGAIN;
     usb_lock();
     if (usb_fails()) {
-        result = -usb_machine.reason;
+        result = -usb_machine.seam.reason;
     } else if (descriptor == USB_CONTROL && size == 0) {
         usb_machine.stalls_in++;
         result = -EL2HLT;
@@ -359,7 +361,7 @@ long files_write(int descriptor, const void *bytes, size_t size)
     long result = -EAGAIN;
     usb_lock();
     if (usb_fails()) {
-        result = -usb_machine.reason;
+        result = -usb_machine.seam.reason;
     } else if (descriptor == USB_CONTROL && size == 0) {
         usb_machine.stalls_out++;
         result = -EL2HLT;
@@ -398,9 +400,8 @@ long files_write(int descriptor, const void *bytes, size_t size)
 static void usb_start(uint8_t *room)
 {
     usb_lock();
-    usb_machine.calls = usb_machine.fails_at = usb_machine.fails_on = 0;
+    usb_machine.seam = (struct seam){.reason = EIO};
     usb_machine.no_udc = usb_machine.no_composite = usb_machine.no_root = 0;
-    usb_machine.reason = EIO;
     usb_machine.stalls_in = usb_machine.stalls_out = 0;
     usb_machine.reads = 1;
     usb_machine.got = room;

@@ -64,14 +64,14 @@ static int case_messages(void)
     return lines;
 }
 
-static void assert_tells(const char *part)
+static inline void assert_tells(const char *part)
 {
     if (case_messages() != 1 || !strstr(case_told, part))
         fail_msg("told: '%s', not one line with '%s'", case_told, part);
 }
 
 /* Nothing is held any more; a panel that was touched is dark and in reset. */
-static void assert_all_given_back(void)
+static inline void assert_all_given_back(void)
 {
     assert_int_equal(machine.taken, 0);
     assert_int_equal(machine.chips, 0);

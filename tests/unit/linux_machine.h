@@ -10,6 +10,7 @@
 #include "clock.h"
 #include "linux/kernel.h"
 #include "panel_model.h"
+#include "tests/faults/seam.h"
 
 #include <errno.h>
 #include <linux/spi/spidev.h>
@@ -28,10 +29,10 @@
 enum machine_line { SCK, MOSI, CS, DC = 4, RESET, BACKLIGHT, KEY_A, KEY_UP, FREE };
 
 struct machine {
-    int calls, fails_at, fails_on, reason; /* fails_at: a call's number from 1; fails_on: so do all after it */
-    int chips, taken, descriptors;         /* how many are held: lines by bits */
-    int refuses;                           /* an errno for every chip, or 0 */
-    const char *holder[MACHINE_LINES];     /* who else has a line */
+    struct seam seam;
+    int chips, taken, descriptors;     /* how many are held: lines by bits */
+    int refuses;                       /* an errno for every chip, or 0 */
+    const char *holder[MACHINE_LINES]; /* who else has a line */
     uint32_t levels;
     struct {
         unsigned line;
@@ -55,11 +56,7 @@ static pthread_mutex_t machine_wire = PTHREAD_MUTEX_INITIALIZER; /* who holds it
 /* Whether this call fails; errno says why. Calls come from two threads. */
 static int machine_fails(void)
 {
-    int call = __atomic_add_fetch(&machine.calls, 1, __ATOMIC_SEQ_CST);
-    if (!machine.fails_at || (machine.fails_on ? call < machine.fails_at : call != machine.fails_at))
-        return 0;
-    errno = machine.reason;
-    return 1;
+    return seam_fails(&machine.seam);
 }
 
 static void machine_look(void)
@@ -99,7 +96,7 @@ static void machine_drive(uint32_t which, uint32_t levels)
     }
 }
 
-static void machine_press(unsigned line, int level)
+static inline void machine_press(unsigned line, int level)
 {
     machine.levels = (machine.levels & ~(1u << line)) | (uint32_t)level << line;
     machine.edges[machine.edge_end].line = line;
@@ -109,7 +106,7 @@ static void machine_press(unsigned line, int level)
 static void machine_start(enum model_kind kind)
 {
     memset(&machine, 0, sizeof machine);
-    machine.reason = EIO;
+    machine.seam.reason = EIO;
     machine.limit = MACHINE_BUFSIZ;
     machine.bits = 1;
     machine.levels = 1u << KEY_A | 1u << KEY_UP; /* not pressed */

@@ -24,7 +24,7 @@ static int undisturbed(const struct wiring *wiring)
     assert_int_equal(machine.shown, 1);
     assert_all_given_back();
     memcpy(good, machine.seen, sizeof good);
-    return machine.calls;
+    return machine.seam.calls;
 }
 
 /* Every call is tried; of a panel's by GPIO lines, which takes 16 calls a byte, the first, the last, and every 499th:
@@ -54,7 +54,7 @@ static void any_call_that_fails_once_is_told_or_mended(void **state)
         int calls = undisturbed(&wirings[w]);
         for (int k = 1; k <= calls; k += next_call(&wirings[w], k, calls)) {
             machine_start(wirings[w].kind);
-            machine.fails_at = k;
+            machine.seam.fails_at = k;
             int code = case_run(wirings[w].options);
             if (case_messages() > 1 || (code != 0 && (code != 3 || case_messages() != 1)))
                 fail_msg("wiring %d, call %d of %d: code %d, told '%s'", w, k, calls, code, case_told);
@@ -72,8 +72,8 @@ static void calls_that_fail_from_some_time_on_end_with_one_message(void **state)
         int calls = undisturbed(&wirings[w]);
         for (int k = 1; k <= calls; k += next_call(&wirings[w], k, calls)) {
             machine_start(wirings[w].kind);
-            machine.fails_at = k;
-            machine.fails_on = 1;
+            machine.seam.fails_at = k;
+            machine.seam.fails_on = 1;
             int code = case_run(wirings[w].options);
             if (code != 3 || case_messages() != 1)
                 fail_msg("wiring %d, from call %d of %d: code %d, told '%s'", w, k, calls, code, case_told);
@@ -210,8 +210,8 @@ static void a_right_that_is_missing_is_explained(void **state)
     assert_tells("Permission denied; /dev/gpiochip* want root, or the group");
     assert_all_given_back();
     machine_start(MODEL_ST7789);
-    machine.fails_at = 1;
-    machine.reason = EACCES;
+    machine.seam.fails_at = 1;
+    machine.seam.reason = EACCES;
     assert_int_equal(case_run(CASE_SPIDEV), 3);
     assert_tells("/dev/spidev0.0: Permission denied; it wants root, or the group");
     assert_all_given_back();

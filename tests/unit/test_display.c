@@ -337,6 +337,9 @@ static void a_failed_run_leaves_older_pictures_in_their_folder(void **state)
         image_free(&image);
         assert_int_equal(folder_display.close(display, keep), keep ? HAL_E_IO : 0);
         assert_true(!keep || errno == EISDIR);
+        assert_int_equal(image_read_png("out/frame-0000.png", &image), 0);
+        assert_int_equal(image.rgb[0], 10);
+        image_free(&image);
         assert_int_equal(chdir("out"), 0);
         assert_int_equal(files_here(), 2);
         assert_int_equal(chdir(".."), 0);

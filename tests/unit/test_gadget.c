@@ -141,14 +141,14 @@ static void any_call_that_fails_is_told_or_mended(void **state)
         for (int call = 0; call <= calls; call++) {
             usb_start(got);
             usb_machine.configfs = 0;
-            usb_machine.fails_at = call;
-            usb_machine.fails_on = on;
+            usb_machine.seam.fails_at = call;
+            usb_machine.seam.fails_on = on;
             int result = open_usb(NULL);
             if (!result && !on)
                 run_with_a_host();
             usb_stream_close(&usb);
             if (!call)
-                calls = usb_machine.calls;
+                calls = usb_machine.seam.calls;
             if (result ? result != HAL_E_IO || !strchr(told, '\n') || strchr(told, '\n')[1] : told[0])
                 fail_msg("call %d of %d, %d: result %d, told '%s'", call, calls, on, result, told);
             for (int i = 0; i <= USB_STOP; i++)

@@ -225,7 +225,7 @@ static void every_call_may_fail(void **state)
         struct port port;
         struct reader reader = {0};
         case_begin();
-        machine.fails_at = at;
+        machine.seam.fails_at = at;
         machine.unplugs_at = 30;
         machine.stalls_at = 12;
         machine_plug(0, "A1");
@@ -242,7 +242,7 @@ static void every_call_may_fail(void **state)
             assert_int_equal(case_lines("\n"), 1);
         else
             assert_string_equal(case_told, "");
-        failed = machine.calls >= at;
+        failed = machine.seam.calls >= at;
         case_end();
     }
 }

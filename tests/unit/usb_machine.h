@@ -8,6 +8,7 @@
 #define USB_MACHINE_H
 
 #include "random.h"
+#include "tests/faults/seam.h"
 
 #include <libusb.h>
 #include <poll.h>
@@ -47,7 +48,7 @@ struct machine {
     const struct libusb_transfer *swallowed;
     unsigned flying_count, most_flying;
     int contexts_open, lists_open, configs_open, handles_open, transfers; /* how many are held */
-    int calls, fails_at;                                                  /* a call's number from 1 */
+    struct seam seam;
     int callbacks, unplugs_at, stalls_at, swallows_at; /* a callback's number from 1; swallows: never comes */
     bool in_callback, hotplug, arrived, mute;          /* mute: the device sends nothing and takes nothing */
     bool none;                                         /* there is no USB */
@@ -64,7 +65,7 @@ static struct machine machine;
 static bool machine_fails(void)
 {
     assert_false(machine.in_callback);
-    return ++machine.calls == machine.fails_at;
+    return seam_fails(&machine.seam);
 }
 
 /* The stream of a device: no two bytes near to each other are in the same place of two devices'. */
