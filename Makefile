@@ -107,6 +107,9 @@ test-sanitize: deps-test ## Unit tests, command line and hashes under clang's sa
 test-exhaustive: deps-test ## Whole domains of the fixed-point functions (minutes)
 	$(Q)tests/tools/run.sh exhaustive
 
+mutation: deps-test ## Small changes of the renderer that tests ought to see, SAMPLE=800 of them or of FILES='firmware/plan/*': score and survivors (an hour)
+	$(Q)$(MAKE) --no-print-directory mutation-run
+
 fuzz: deps-test ## Make up bytes for the parsers of streams, SECONDS=60 for each; what breaks one is kept in build/fuzz/broken
 	$(Q)$(MAKE) --no-print-directory fuzz-search
 
@@ -230,10 +233,11 @@ include tests/tools/rp2040.mk
 include tests/tools/linux.mk
 include tests/tools/faults.mk
 include tests/tools/fuzz.mk
+include tests/tools/mutate.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
-GOALS := all demo view test test-unit test-fuzz fuzz test-cli test-models test-budget test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive \
+GOALS := all demo view test test-unit test-fuzz fuzz mutation test-cli test-models test-budget test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive \
 	bench bench-boards bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-view deps-test deps-linux image run flash install clean help
 .PHONY: $(GOALS) tool
 # Several are made one after another, also with -j: each calls a make of its own, in the same folder.
