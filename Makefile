@@ -66,10 +66,13 @@ view: deps-view ## Build the viewer of streams, build/glint-view, with USB and a
 	@echo "$(VIEW): shows the device on USB, file:PATH or what comes by a pipe; --help has all, in its window h the keys"
 
 test: deps-test ## Run every test; the last line counts them
-	$(Q)tests/tools/run.sh unit fuzz cli models budget core golden device rp2040 linux docs sanitize bench
+	$(Q)tests/tools/run.sh unit hard fuzz cli models budget core golden device rp2040 linux docs sanitize bench
 
 test-unit: deps-test ## Unit tests
 	$(Q)tests/tools/run.sh unit
+
+test-hard: deps-test ## A million random and a million lattice triangles against their definition in exact numbers, and hard cases by name
+	$(Q)tests/tools/run.sh hard
 
 test-fuzz: deps-test ## What `make fuzz` found of interest, given to the parsers of streams again, and that it reaches all their lines
 	$(Q)tests/tools/run.sh fuzz
@@ -233,11 +236,12 @@ include tests/tools/rp2040.mk
 include tests/tools/linux.mk
 include tests/tools/faults.mk
 include tests/tools/fuzz.mk
+include tests/tools/hard.mk
 include tests/tools/mutate.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
-GOALS := all demo view test test-unit test-fuzz fuzz mutation test-cli test-models test-budget test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive \
+GOALS := all demo view test test-unit test-hard test-fuzz fuzz mutation test-cli test-models test-budget test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive \
 	bench bench-boards bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-view deps-test deps-linux image run flash install clean help
 .PHONY: $(GOALS) tool
 # Several are made one after another, also with -j: each calls a make of its own, in the same folder.

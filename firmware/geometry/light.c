@@ -22,12 +22,13 @@ static void near_point(const q16_t world[3], const struct scene_mesh *mesh, cons
     struct matrix rotation = rotation_matrix(&pose->rotation);
     int32_t from[3], turned[3];
     int64_t quotient[3], largest = 0;
-    /* matrix_apply_transposed() wants less than 2^29; differences of positions are below 2^31. They are taken times
-     * 2^up / 4: what is near gets up to 12 bits more, since a small mesh has few positions to a Q16. */
+    /* Differences of positions are below 2^31 + 2^30, as a light that turns may reach 2^31: a quarter of three of them,
+     * turned, is below sqrt(3) * 3 * 2^28 < 2^31. They are taken times 2^up / 4: what is near gets up to 12 bits more,
+     * since a small mesh has few positions to a Q16. */
     int up = 14;
     for (int i = 0; i < 3; i++) {
         int64_t way = (int64_t)world[i] - pose->position[i];
-        while ((way < 0 ? -way : way) << up >> 2 >= 1 << 29)
+        while (up && (way < 0 ? -way : way) << up >> 2 >= 1 << 29)
             up--;
     }
     for (int i = 0; i < 3; i++)

@@ -93,6 +93,14 @@ static uint32_t size_of(int32_t v)
     return (uint32_t)(v < 0 ? -v : v);
 }
 
+/* x 2^up or x 2^-down, rounded to 0: rounded down, -2^14 would be among them, whose square plane_quadratic() does not
+ * hold. */
+static int32_t scaled(int32_t x, int up, int down)
+{
+    x *= 1 << up;
+    return (x + (x >> 31 & ((1 << down) - 1))) >> down;
+}
+
 static struct shape shape_of(const struct part_place p[3])
 {
     /* differences of places: at most 2^30 */
@@ -101,10 +109,10 @@ static struct shape shape_of(const struct part_place p[3])
     const int scale = largest ? (int)fx_clz(largest) - 18 : 0, down = scale < 0 ? -scale : 0,
               up = scale > 0 ? scale : 0;
     s.lost = ((s.x1 | s.y1 | s.x2 | s.y2) & ((1 << down) - 1)) != 0;
-    s.x1 = s.x1 * (1 << up) >> down;
-    s.y1 = s.y1 * (1 << up) >> down;
-    s.x2 = s.x2 * (1 << up) >> down;
-    s.y2 = s.y2 * (1 << up) >> down;
+    s.x1 = scaled(s.x1, up, down);
+    s.y1 = scaled(s.y1, up, down);
+    s.x2 = scaled(s.x2, up, down);
+    s.y2 = scaled(s.y2, up, down);
     s.scale = scale + 15;
     s.det = s.x1 * s.y2 - s.x2 * s.y1; /* that of a triangle in a box of 2^15: below 2^30 */
     return s;

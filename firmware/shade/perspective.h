@@ -53,9 +53,10 @@ static inline struct perspective_divisor perspective_divisor_of(uint32_t w)
     return (struct perspective_divisor){(int32_t)(fx_recip_norm(w << zeros) >> 1), zeros};
 }
 
+/* up' <= 15, so that twice it can be shifted by: W is at least 2^-16 of what the largest s may be. */
 static inline struct perspective_divisor perspective_divisor(uint32_t depth, unsigned up)
 {
-    const uint32_t least = 1u << 12, far = (uint32_t)DEPTH_FAR << 16;
+    const uint32_t least = (1u << 16) >> (up < 4 ? up : 4), far = (uint32_t)DEPTH_FAR << 16;
     uint32_t w = depth > far + least ? depth - far : least;
     unsigned zeros = fx_clz(w);
     return (struct perspective_divisor){(int32_t)(fx_recip_norm(w << zeros) >> 1), zeros > up ? zeros - up : 0};
