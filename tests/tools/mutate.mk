@@ -9,12 +9,14 @@ MUTATE_HOST := app choices compare control display gadget% linux% live mem meter
 	queue record% remote% scene% share stream% survey tangents uses% usb% reference%
 MUTATE_UNIT := $(filter-out $(MUTATE_HOST:%=tests/unit/test_%.c),$(UNIT_SRC)) $(wildcard tests/hard/test_*.c)
 MUTATE_GOLDEN := $(GOLDEN_C) $(HOST_PROGRAM)
+# Small pictures first; what hangs, hangs there.
+MUTATE_GOLDEN_MINI := tests/golden/golden.c $(FUZZ_SCENE_C) $(HOST_PROGRAM)
 MUTATE_LONG := tests/budget/random.c tests/exhaustive/exhaustive_plan.c tests/hard/exact_triangles.c
-MUTATE_TESTS := $(sort $(MUTATE_UNIT) $(MUTATE_GOLDEN) $(MUTATE_LONG))
+MUTATE_TESTS := $(sort $(MUTATE_UNIT) $(MUTATE_GOLDEN) $(MUTATE_GOLDEN_MINI) $(MUTATE_LONG))
 MUTATE_CORE_OBJ := $(CORE_SRC:%.c=$(MUTATE)/obj/%.o)
 MUTATE_TEST_OBJ := $(MUTATE_TESTS:%.c=$(MUTATE)/obj/%.o)
 MUTATE_LIBS = $(HOST_LIB) -L$(MUTATE) -lfirmware $(PACKAGE_LIBS) -Wl,--as-needed $(VIEW_LIBS) $(CMOCKA_LIBS) -lpthread -lm
-MUTATE_BIN := $(patsubst %.c,$(MUTATE)/bin/%,$(notdir $(MUTATE_UNIT) $(MUTATE_LONG))) $(MUTATE)/bin/golden
+MUTATE_BIN := $(patsubst %.c,$(MUTATE)/bin/%,$(notdir $(MUTATE_UNIT) $(MUTATE_LONG))) $(addprefix $(MUTATE)/bin/,golden golden_mini)
 
 # Beside each object the inline functions that it calls, by a compilation that keeps them as they are.
 $(MUTATE_CORE_OBJ): MUTATE_CC = $(MUTATE_CORE_CC)
@@ -53,6 +55,7 @@ MUTATE_ARGUMENTS_exhaustive_plan := 2000
 MUTATE_ARGUMENTS_exact_triangles := 0 200
 $(foreach t,$(MUTATE_UNIT) $(MUTATE_LONG),$(eval $(call mutate_rule,$(basename $(notdir $(t))),$(t))))
 $(eval $(call mutate_rule,golden,$(MUTATE_GOLDEN)))
+$(eval $(call mutate_rule,golden_mini,$(MUTATE_GOLDEN_MINI)))
 
 mutation-run: $(MUTATE_BIN) $(MUTATE)/libfirmware.so $(MUTATE)/lines/libfirmware.so
 	$(Q)python3 tests/mutate/mutate.py --folder $(MUTATE) --core '$(CORE_SRC)' --tests '$(MUTATE_TESTS)' \
