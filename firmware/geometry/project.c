@@ -30,7 +30,15 @@ int project_orthographic(const struct transform *t, struct eye_point e, int32_t 
     return project_round(e.x, e.y, t->shift, reach, out);
 }
 
+static __attribute__((noinline)) int16_t into_guard(int16_t v)
+{
+    return v > GUARD + 1 ? GUARD + 1 : v < -GUARD - 1 ? -GUARD - 1 : v;
+}
+
 int project_clipped(const struct transform *t, const struct eye_point *e, struct screen_point *out)
 {
-    return project_within(t, *e, GUARD + 1, out);
+    const int fits = project_within(t, *e, INT16_MAX, out);
+    out->x = into_guard(out->x);
+    out->y = into_guard(out->y);
+    return fits;
 }

@@ -9,7 +9,7 @@
  * less than a quarter of a sub-pixel from the centre. */
 int project_extreme(int32_t x, int32_t y, int down, int32_t reach, struct screen_point *out);
 
-/* (x, y) * 2^-down rounded to nearest, ties up; 0 if either is beyond `reach`. |x|, |y| < 2^29, reach <= 2^14. */
+/* (x, y) * 2^-down rounded to nearest, ties up; 0 if either is beyond `reach`. |x|, |y| < 2^29, reach < 2^15. */
 static inline int project_round(int32_t x, int32_t y, int down, int32_t reach, struct screen_point *out)
 {
     if ((unsigned)(down - 1) >= 30)
@@ -58,7 +58,9 @@ static inline int project(const struct transform *t, struct eye_point e, struct 
     return project_within(t, e, GUARD - 1, out);
 }
 
-/* A corner that the clipper left or made: as far as the guard band and a rounding. */
+/* A corner that the clipper left or made: as far as the guard band and a rounding. What a cut is rounded out by is more
+ * than that where the near plane is nearer than 2^-14 of the object's reach, as so close by the units of z show: such a
+ * corner is put where the guard band ends. 0 if it is as far out again. */
 int project_clipped(const struct transform *t, const struct eye_point *e, struct screen_point *out);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * How far a channel's whole coefficients may be from the rationals that they stand for (exact.h), in units of the
- * channel's last place. Each bound adds up what the ways of shade/plane.h round, step by step; nothing is measured:
+ * How far a channel's whole coefficients may be from the rationals that they stand for (exact_rational.h), in units of
+ * the channel's last place. Each bound adds up what the ways of shade/plane.h round, step by step; nothing is measured:
  *
  *   the reciprocal    errs by 2^-30.46 of itself (fixed.h), 2.91 * 2^-32; halved it loses 2^-31 more: 5 * 2^-32
  *   its square        5.82 * 2^-32, and less than a unit of 2^29 (in 64 bits: of 2^30): 14 (10) * 2^-32
@@ -10,7 +10,7 @@
 #ifndef EXACT_BOUNDS_H
 #define EXACT_BOUNDS_H
 
-#include "exact.h"
+#include "exact_rational.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -111,11 +111,38 @@ static void check_spans(const int16_t *const *p, int width, int height, int from
             fail("a row is left out below", left, y + top);
 }
 
+/* The depth at the first covered pixel of the rectangle that is now the picture, whose corner is (left, top) of the
+ * picture's: the same bits as in `whole`. */
+static void check_same_value(const struct plane *whole, const struct channel *depth, const int32_t value[3], int left,
+                             int top)
+{
+    for (int y = top; y < top + (int)triangle.height; y++) {
+        const int x = wanted[y].x0 > left ? wanted[y].x0 : left;
+        struct plane plane;
+        struct channel channel;
+        int32_t got, same;
+        if (x >= wanted[y].x1 || x >= left + (int)triangle.width)
+            continue;
+        plane_setup(&plane, places(0, 1), triangle.width, triangle.height);
+        plane_linear(&plane, value, &channel);
+        plane_values(&plane, &channel, x - left, y - top, 1, &got);
+        plane_values(whole, depth, x, y, 1, &same);
+        if (got != same)
+            fail("a value in a rectangle", x, y);
+        return;
+    }
+}
+
 /* Every rectangle of the picture as a picture of its own, and every cut of it into two bands. */
 static void check_rectangles(void)
 {
     const struct exact_triangle whole = triangle;
     const int w = (int)whole.width, h = (int)whole.height;
+    const int32_t value[3] = {DEPTH_FAR, DEPTH_NEAR, random_between(DEPTH_FAR, DEPTH_NEAR)};
+    struct plane plane;
+    struct channel depth;
+    plane_setup(&plane, places(0, 1), whole.width, whole.height);
+    plane_linear(&plane, value, &depth);
     for (int x0 = 0; x0 < w; x0++)
         for (int x1 = x0 + 1; x1 <= w; x1++)
             for (int y0 = 0; y0 < h; y0++)
@@ -124,7 +151,10 @@ static void check_rectangles(void)
                         triangle.p[k].x = whole.p[k].x + 8 * (w - x0 - x1);
                         triangle.p[k].y = whole.p[k].y + 8 * (h - y0 - y1);
                     }
+                    triangle.width = (unsigned)(x1 - x0);
+                    triangle.height = (unsigned)(y1 - y0);
                     check_spans(places(0, 1), x1 - x0, y1 - y0, 0, y1 - y0, SIDE, x0, y0);
+                    check_same_value(&plane, &depth, value, x0, y0);
                     counts.rectangles++;
                 }
     triangle = whole;
