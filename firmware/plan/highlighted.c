@@ -51,7 +51,7 @@ static struct scaled times(struct scaled a, struct scaled b)
 }
 
 /* The sign of x - y. Either has been rounded down five times by less than 2^-30 of itself: what differs by no more than
- * 2^-27 counts as equal. */
+ * 2^-27 counts as equal, and up to 2^-25 may. */
 static int compare(struct scaled x, struct scaled y)
 {
     int up = x.exponent - y.exponent;
@@ -63,7 +63,7 @@ static int compare(struct scaled x, struct scaled y)
     else if (up < 0)
         b *= 2;
     int64_t difference = a - b;
-    return difference > 32 ? 1 : difference < -32 ? -1 : 0; /* numbers below 2^32, 2^-27 */
+    return difference > 32 ? 1 : difference < -32 ? -1 : 0; /* of 2^30..2^31, or 2^32 */
 }
 
 /* The sign of vn / |v| - ln / |l| from the squares; 0 where there is no way to go. */

@@ -94,6 +94,9 @@ enum scene_texture_format {
 #define TEXTURE_BILINEAR 1u /* interpolated between the middles of texels, else the nearest */
 #define TEXTURE_CLAMP_U  2u /* beyond 0..1 its border goes on, else it repeats */
 #define TEXTURE_CLAMP_V  4u
+/* Coordinates are interpolated modulo 16 turns: of a mesh with a clamped texture they are within +-this, so that
+ * neither roundings nor a quadratic's overshoot (1/8 of the span) come round to the other border. */
+#define SCENE_MOST_CLAMPED 6
 
 /*
  * 2^log2_width columns from u = 0 to 1 in 2^log2_height rows from v = 0 to 1, the row at v = 0 first. A field of 565

@@ -94,13 +94,14 @@ static const char *choose_uvs(struct state *s, const struct wants *wants)
             s->uvs = s->uvs && isfinite(uv);
         }
     for (int k = 0; s->uvs && k < 2; k++) {
-        bool fits = low[k] >= -8 && high[k] < 8 - 1. / 8192;
+        bool fits = wants->clamp[k] ? low[k] >= -SCENE_MOST_CLAMPED && high[k] <= SCENE_MOST_CLAMPED
+                                    : low[k] >= -8 && high[k] < 8 - 1. / 8192;
         s->uv_origin[k] = fits ? 0 : floor(low[k]) + 8;
         s->uvs = fabs(low[k]) < 1e9 && high[k] - s->uv_origin[k] < 8 - 1. / 8192 && (fits || !wants->clamp[k]);
     }
     s->report->uvs_dropped = s->mesh->has_uvs && s->mesh->keeps_uvs && !s->uvs;
     return wants->uvs && !s->uvs
-               ? "has texture coordinates that span more than 16, or beyond -8..8 of a clamped texture"
+               ? "has texture coordinates that span more than 16, or beyond -6..6 of a clamped texture"
                : NULL;
 }
 

@@ -127,38 +127,55 @@ static void other_sizes_are_resampled_to_powers_of_two(void **state)
     pack_free(&r);
 }
 
+/* A triangle with these lines of texture coordinates, its texture repeating or clamped, packed. */
+static int load_coordinates(const char *lines, int clamp, struct pack_result *r, char *said, size_t said_bytes)
+{
+    struct case_file file;
+    char scene[96], text[512];
+    const int length = snprintf(text, sizeof text, "v -1 -1 0\nv 1 -1 0\nv 1 1 0\n%sf 1/1 2/2 3/2\n", lines);
+    case_write(&file, "far.obj", text, (size_t)length);
+    snprintf(scene, sizeof scene, "%s/scene.json", file.folder);
+    FILE *out = fopen(scene, "w");
+    assert_non_null(out);
+    fprintf(out,
+            "{" CASE_CAMERA ", \"textures\": {\"t\": {\"pattern\": \"noise\", \"wrap\": \"%s\"}}, \"materials\": "
+            "{\"m\": {\"texture\": \"t\"}}, \"meshes\": {\"p\": {\"file\": \"far.obj\", \"material\": \"m\"}}, "
+            "\"objects\": [{\"mesh\": \"p\"}]}",
+            clamp ? "clamp" : "repeat");
+    fclose(out);
+    const int answer = case_load_path(scene, NULL, r, said, said_bytes);
+    unlink(scene);
+    case_remove(&file);
+    return answer;
+}
+
 static void whole_turns_are_taken_off_where_textures_repeat(void **state)
 {
     (void)state;
     struct pack_result r;
     char said[256];
-    static const char far[] = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nvt 100 0\nvt 101 0\nvt 101 -37\nvt 130 0\nf 1/1 2/2 3/2\n";
-    struct case_file file;
-    case_write(&file, "far.obj", far, sizeof far - 1);
-    char scene[96], text[512];
-    snprintf(scene, sizeof scene, "%s/scene.json", file.folder);
-    for (int clamp = 0; clamp < 2; clamp++) {
-        FILE *out = fopen(scene, "w");
-        assert_non_null(out);
-        snprintf(text, sizeof text,
-                 "{" CASE_CAMERA ", \"textures\": {\"t\": {\"pattern\": \"noise\", \"wrap\": \"%s\"}}, \"materials\": "
-                 "{\"m\": {\"texture\": \"t\"}}, \"meshes\": {\"p\": {\"file\": \"far.obj\", \"material\": \"m\"}}, "
-                 "\"objects\": [{\"mesh\": \"p\"}]}",
-                 clamp ? "clamp" : "repeat");
-        fputs(text, out);
-        fclose(out);
-        assert_int_equal(case_load_path(scene, NULL, &r, said, sizeof said), clamp ? 1 : 0);
-        if (clamp) {
-            assert_non_null(strstr(said, "beyond -8..8 of a clamped texture"));
-            continue;
-        }
-        const int16_t(*uv)[2] = scene_at(r.scene, scene_meshes(r.scene)->uvs);
-        assert_int_equal(uv[1][0] - uv[0][0], 4096);
-        assert_int_equal(uv[0][0] % 4096, 0);
-        pack_free(&r);
-    }
-    unlink(scene);
-    case_remove(&file);
+    static const char far[] = "vt 100 0\nvt 101 0\nvt 101 -37\nvt 130 0\n";
+    assert_int_equal(load_coordinates(far, 1, &r, said, sizeof said), 1);
+    assert_non_null(strstr(said, "beyond -6..6 of a clamped texture"));
+    assert_int_equal(load_coordinates(far, 0, &r, said, sizeof said), 0);
+    const int16_t(*uv)[2] = scene_at(r.scene, scene_meshes(r.scene)->uvs);
+    assert_int_equal(uv[1][0] - uv[0][0], 4096);
+    assert_int_equal(uv[0][0] % 4096, 0);
+    pack_free(&r);
+}
+
+/* Interpolated modulo 16 turns, what is nearer to 8 than its roundings would come round to the other border. */
+static void coordinates_of_a_clamped_texture_keep_away_from_8_turns(void **state)
+{
+    (void)state;
+    struct pack_result r;
+    char said[256];
+    assert_int_equal(load_coordinates("vt -6 0\nvt 6 1\n", 1, &r, said, sizeof said), 0);
+    pack_free(&r);
+    assert_int_equal(load_coordinates("vt -6.01 0\nvt 1 1\n", 1, &r, said, sizeof said), 1);
+    assert_int_equal(load_coordinates("vt 0 0\nvt 1 6.01\n", 1, &r, said, sizeof said), 1);
+    assert_int_equal(load_coordinates("vt -8 0\nvt 7.9 1\n", 0, &r, said, sizeof said), 0);
+    pack_free(&r);
 }
 
 static void median_cut_keeps_colours_near_and_few_ones_exact(void **state)
@@ -192,6 +209,7 @@ int main(void)
         cmocka_unit_test(a_checker_packs_exactly_and_upright),
         cmocka_unit_test(other_sizes_are_resampled_to_powers_of_two),
         cmocka_unit_test(whole_turns_are_taken_off_where_textures_repeat),
+        cmocka_unit_test(coordinates_of_a_clamped_texture_keep_away_from_8_turns),
         cmocka_unit_test(median_cut_keeps_colours_near_and_few_ones_exact),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
