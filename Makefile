@@ -113,6 +113,9 @@ test-exhaustive: deps-test ## Whole domains of the fixed-point functions (minute
 mutation: deps-test ## Small changes of the renderer that tests ought to see, SAMPLE=800 of them or of FILES='firmware/plan/*': score and survivors (an hour)
 	$(Q)$(MAKE) --no-print-directory mutation-run
 
+prove: deps-prove ## Frama-C proofs: no overflow, no access out of bounds, nothing undefined, every statement reached; PROOFS="fixed edges" of some
+	$(Q)$(MAKE) --no-print-directory prove-run
+
 fuzz: deps-test ## Make up bytes for the parsers of streams, SECONDS=60 for each; what breaks one is kept in build/fuzz/broken
 	$(Q)$(MAKE) --no-print-directory fuzz-search
 
@@ -164,7 +167,7 @@ deps: deps-test ## Install what building and testing need (DEPS=manual only prin
 
 deps-demo: ## Install what building the tool needs: `make deps-demo all` in a CI job
 
-deps-demo deps-view deps-test deps-linux:
+deps-demo deps-view deps-test deps-linux deps-prove:
 	$(Q)tests/tools/deps.sh $(@:deps-%=%)
 
 BOARD_DEPS := $(BOARD_SORT:board=test)
@@ -236,13 +239,15 @@ include tests/tools/rp2040.mk
 include tests/tools/linux.mk
 include tests/tools/faults.mk
 include tests/tools/fuzz.mk
+include tests/tools/checked.mk
 include tests/tools/hard.mk
+include tests/tools/prove.mk
 include tests/tools/mutate.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 
-GOALS := all demo view test test-unit test-hard test-fuzz fuzz mutation test-cli test-models test-budget test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive \
-	bench bench-boards bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-view deps-test deps-linux image run flash install clean help
+GOALS := all demo view test test-unit test-hard test-fuzz fuzz mutation test-cli test-models test-budget test-core test-golden test-device test-rp2040 test-linux test-usb test-sanitize test-exhaustive prove \
+	bench bench-boards bench-setup bench-stream report figures profile size stack golden lint format check-format deps deps-demo deps-view deps-test deps-linux deps-prove image run flash install clean help
 .PHONY: $(GOALS) tool
 # Several are made one after another, also with -j: each calls a make of its own, in the same folder.
 ifneq ($(word 2,$(filter $(GOALS),$(MAKECMDGOALS))),)

@@ -21,7 +21,7 @@ FX_COLD static void add_object(struct glint_frame *f, const struct view *view, c
         return;
     }
     if (f->object_count == f->config.max_objects ||
-        mesh->vertex_count > (uint32_t)(f->config.max_vertices - f->vertex_count)) {
+        mesh->vertex_count > fx_u32(f->config.max_vertices - f->vertex_count)) {
         f->stats.dropped += mesh->triangle_count;
         return;
     }
@@ -34,7 +34,7 @@ FX_COLD static void add_object(struct glint_frame *f, const struct view *view, c
     if (f->config.method->object)
         f->config.method->object(object, f->scene, list_record(f, f->vertex_count), f->vertex_stride, &f->stats);
     list_object(f, transform, f->object_count, all_placed);
-    f->vertex_count = (uint16_t)(f->vertex_count + mesh->vertex_count);
+    f->vertex_count = fx_u16(f->vertex_count + mesh->vertex_count);
     f->object_count++;
 }
 
@@ -81,8 +81,8 @@ FX_COLD int glint_frame_begin(struct glint_frame *f, const void *scene, uint32_t
     if ((header->effects & ~GLINT_USES) != 0)
         return GLINT_E_SCENE;
     f->scene = header;
-    f->light_count = (uint8_t)header->light_count;
-    f->vertex_stride = (uint16_t)(VERTEX_LIGHTS + 2 * f->light_count + f->config.method->vertex_words);
+    f->light_count = fx_u8(header->light_count);
+    f->vertex_stride = fx_u16(VERTEX_LIGHTS + 2 * f->light_count + f->config.method->vertex_words);
     f->vertex_count = f->triangle_count = f->clipped_count = f->object_count = 0;
     f->oldest = f->next_row = 0;
     f->band_index = 0;
@@ -114,7 +114,7 @@ FX_COLD static void gather_piece(struct raster *r, const struct clipped_triangle
         const uint16_t *const weight = piece->weight[SHADE_TURN(k)];
         r->weight[k][SHADE_TURN(0)] = weight[0];
         r->weight[k][SHADE_TURN(1)] = weight[1];
-        r->weight[k][SHADE_TURN(2)] = (uint16_t)((1u << 15) - weight[0] - weight[1]);
+        r->weight[k][SHADE_TURN(2)] = fx_u16((1u << 15) - weight[0] - weight[1]);
     }
     in->weight = (const uint16_t(*)[3])r->weight;
 }
@@ -131,7 +131,7 @@ FX_COLD static void gather_kind(struct glint_frame *f, const struct triangle_ref
 
 static void take_material(struct raster *r, const struct scene_header *scene, unsigned material)
 {
-    r->surface_material = (uint16_t)material;
+    r->surface_material = fx_u16(material);
     surface_setup(&r->surface, scene, scene_materials(scene) + material, &r->palette);
     if (USES(USES_TEXTURE | USES_FOG))
         effects_surface(r);
@@ -228,8 +228,8 @@ static void draw_triangle(struct glint_frame *f, const struct triangle_ref *ref)
     if (!edges_setup(&edges, in->place, r->width, r->height, r->y0, r->y1) ||
         !plane_setup(&setup->plane, in->place, r->width, r->height))
         return;
-    const int32_t depth[3] = {(uint16_t)in->place[0][VERTEX_DEPTH], (uint16_t)in->place[1][VERTEX_DEPTH],
-                              (uint16_t)in->place[2][VERTEX_DEPTH]};
+    const int32_t depth[3] = {fx_wrap_u16(in->place[0][VERTEX_DEPTH]), fx_wrap_u16(in->place[1][VERTEX_DEPTH]),
+                              fx_wrap_u16(in->place[2][VERTEX_DEPTH])};
     plane_linear(&setup->plane, depth, &setup->depth);
     setup->found[0] = setup->found[1] = setup->found[2] = 0;
     method->setup(setup, in);
@@ -257,8 +257,8 @@ int glint_frame_band(struct glint_frame *f, unsigned index, void *pixels, struct
     struct raster *r = f->raster;
     const unsigned y0 = index * f->config.band_rows, left = f->config.height - y0;
     const unsigned rows = left < f->config.band_rows ? left : f->config.band_rows;
-    r->y0 = (uint16_t)y0;
-    r->y1 = (uint16_t)(y0 + rows);
+    r->y0 = fx_u16(y0);
+    r->y1 = fx_u16(y0 + rows);
     r->pixels = pixels;
     raster_clear(r, f->scene);
 
@@ -267,7 +267,7 @@ int glint_frame_band(struct glint_frame *f, unsigned index, void *pixels, struct
     const unsigned end = f->rows[r->y1 - 1];
     while (at < end && f->triangles[f->order[at]].last <= y0)
         at++;
-    f->oldest = (uint16_t)at;
+    f->oldest = fx_u16(at);
     f->next_row = r->y1;
     for (; at < end; at++) {
         const struct triangle_ref *ref = &f->triangles[f->order[at]];
@@ -277,7 +277,7 @@ int glint_frame_band(struct glint_frame *f, unsigned index, void *pixels, struct
 
     band->pixels = pixels;
     band->y = r->y0;
-    band->rows = (uint16_t)rows;
+    band->rows = fx_u16(rows);
     band->stride = r->stride;
     return 1;
 }

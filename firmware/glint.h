@@ -80,7 +80,7 @@ extern const struct glint_method glint_hybrid_x;            /* adaptive: by x */
 extern const struct glint_method glint_auto;
 extern const struct glint_method glint_auto_shown; /* a picture of what auto does: each triangle in the colour of what
                                                       it is drawn by (README.md's legend) */
-#define GLINT_BUDGET(num, den) ((uint16_t)((256u * (num) + (den) / 2) / (den))) /* num/den 255ths as config.budget */
+#define GLINT_BUDGET(num, den) ((256u * (num) + (den) / 2) / (den)) /* num/den 255ths as config.budget */
 
 /* Their places in the statistics; the adaptive ones and auto count under what they draw by. */
 enum glint_method_id {

@@ -44,11 +44,11 @@ static inline __attribute__((always_inline)) void list_triangle(struct glint_fra
     if (USES(USES_TWO_SIDED))
         f->stats.turned += (kind & LIST_TURNED) != 0;
     struct triangle_ref *ref = &f->triangles[f->triangle_count++];
-    ref->index = (uint16_t)index;
-    ref->object = (uint8_t)object;
-    ref->kind = (uint8_t)kind;
-    ref->first = (uint16_t)first;
-    ref->last = (uint16_t)last;
+    ref->index = fx_u16(index);
+    ref->object = fx_u8(object);
+    ref->kind = fx_u8(kind);
+    ref->first = fx_u16(first);
+    ref->last = fx_u16(last);
 }
 
 /* Twice the area of a turn, positive for a left one with y up: a front face's. */
@@ -83,27 +83,27 @@ FX_COLD static void store_piece(struct glint_frame *f, const struct clip_polygon
                                 const int corners[3], unsigned object, unsigned source, unsigned kind)
 {
     struct clipped_triangle *piece = &f->clipped[f->clipped_count];
-    piece->source = (uint16_t)source;
+    piece->source = fx_u16(source);
     for (int c = 0; c < 3; c++) {
         uint16_t rest = 1u << 15; /* the three sum to 1 */
         for (int i = 0; i < 3; i++) {
             q30_t w = polygon->corner[corners[c]].weight[i];
-            uint16_t rounded = (uint16_t)(w < 0 ? 0 : (w + (1 << 14)) >> 15);
+            uint16_t rounded = fx_u16(w < 0 ? 0 : (w + (1 << 14)) >> 15);
             piece->place[c][i] = place[corners[c]][i];
             rounded = rounded > rest ? rest : rounded;
-            rest = (uint16_t)(rest - rounded);
+            rest = fx_u16(rest - rounded);
             if (i < 2) {
                 const q30_t left =
-                    (w - ((q30_t)rounded << 15)) >> 7; /* |w - rounded| <= 2^14 and what exceeds 0 to 1 */
+                    (w - (fx_s32(rounded) << 15)) >> 7; /* |w - rounded| <= 2^14 and what exceeds 0 to 1 */
                 piece->weight[c][i] = rounded;
-                piece->finer[c][i] = (int8_t)(left < -128 ? -128 : left > 127 ? 127 : left);
+                piece->finer[c][i] = fx_s8(left < -128 ? -128 : left > 127 ? 127 : left);
             }
         }
     }
     const int16_t *const p[3] = {piece->place[0], piece->place[1], piece->place[2]};
     unsigned before = f->triangle_count;
     list_triangle(f, p, object, f->clipped_count, kind, 0);
-    f->clipped_count = (uint16_t)(f->clipped_count + (f->triangle_count - before));
+    f->clipped_count = fx_u16(f->clipped_count + (f->triangle_count - before));
 }
 
 /* A triangle that may have to be cut. */
@@ -150,7 +150,7 @@ FX_COLD static int clip_side(struct glint_frame *f, const struct transform *tran
         fits &= project_clipped(transform, &polygon->corner[k].eye, &point);
         place[k][VERTEX_X] = point.x;
         place[k][VERTEX_Y] = point.y;
-        place[k][VERTEX_DEPTH] = (int16_t)point.depth;
+        place[k][VERTEX_DEPTH] = fx_wrap_s16(point.depth);
     }
     if (USES(USES_TWO_SIDED) && fits && from->two_sided && !back && area_of(polygon, place) < 0)
         return 0;
@@ -233,7 +233,7 @@ void list_sort(struct glint_frame *f)
     for (unsigned i = 0; i < f->triangle_count; i++)
         start[f->triangles[i].first + 1]++; /* first < height */
     for (unsigned row = 0; row < f->config.height; row++)
-        start[row + 1] = (uint16_t)(start[row + 1] + start[row]);
+        start[row + 1] = fx_u16(start[row + 1] + start[row]);
     for (unsigned i = 0; i < f->triangle_count; i++)
-        f->order[start[f->triangles[i].first]++] = (uint16_t)i;
+        f->order[start[f->triangles[i].first]++] = fx_u16(i);
 }

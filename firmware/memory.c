@@ -98,7 +98,7 @@ static void ready(struct raster *r, const struct glint_config *c)
     r->height = c->height;
     r->format = c->format;
     r->dither = c->flags & GLINT_DITHER && (c->format == GLINT_RGB565 || c->format == GLINT_GREY4);
-    r->stride = (uint32_t)glint_row_bytes(c);
+    r->stride = fx_u32(glint_row_bytes(c));
     r->palette = palette_of(c->format);
     r->split.area = c->subdivide_area ? c->subdivide_area : SPLIT_AREA;
     r->split.threshold = c->subdivide_threshold ? c->subdivide_threshold : SPLIT_THRESHOLD;
@@ -143,7 +143,7 @@ int glint_worker_init(struct glint_frame *worker, const struct glint_frame *f, v
 
 static uint16_t at_most(uint32_t x, uint32_t limit)
 {
-    return (uint16_t)(x < limit ? x : limit);
+    return fx_u16(x < limit ? x : limit);
 }
 
 void glint_fit_stores(struct glint_config *c, const void *scene)
@@ -160,8 +160,8 @@ void glint_fit_stores(struct glint_config *c, const void *scene)
     c->max_clipped = s->effects & USES_CLIPPING ? at_most(triangles / 4 + 64, 1024) : 0;
     c->max_vertices = at_most(vertices, 65535);
     c->max_triangles = at_most(triangles + c->max_clipped, 65535);
-    c->max_objects = (uint8_t)at_most(s->object_count, SCENE_MAX_OBJECTS);
-    c->max_lights = (uint8_t)at_most(s->light_count, SCENE_MAX_LIGHTS);
+    c->max_objects = fx_u8(at_most(s->object_count, SCENE_MAX_OBJECTS));
+    c->max_lights = fx_u8(at_most(s->light_count, SCENE_MAX_LIGHTS));
 }
 
 int glint_scene_check(const void *scene, size_t size)

@@ -35,9 +35,9 @@ int values_hertz(const char *text, uint32_t *value)
     if (*at == 'k' || *at == 'M')
         unit = *at++ == 'k' ? 1000 : 1000000;
     uint64_t hertz = (uint64_t)whole * unit, scale = 1;
-    for (const char *digit = fraction; digit && *digit >= '0' && *digit <= '9'; digit++)
+    /* zeros behind the point may be any number: scale stops at 10 units, 10^7; part * unit < 2^52 */
+    for (const char *digit = fraction; digit && *digit >= '0' && *digit <= '9' && scale <= unit; digit++)
         scale *= 10;
-    /* at most ten digits: scale <= 10^10, part * unit < 2^52 */
     if (*at || (fraction && (scale > unit || unit == 1)))
         return 0;
     hertz += (uint64_t)part * unit / scale;

@@ -56,12 +56,12 @@ static void text_row(const struct text_canvas *canvas, uint8_t *row, unsigned x,
     }
 }
 
-FX_WRAPS void text_draw(const struct text_canvas *canvas, unsigned x, unsigned y, const char *text)
+void text_draw(const struct text_canvas *canvas, unsigned x, unsigned y, const char *text)
 {
     const struct glint_band *band = canvas->band;
     const unsigned large = text_large(canvas->width), lead = canvas->dark, above = lead << large;
     for (unsigned i = 0; i < band->rows; i++) {
-        unsigned down = band->y + i + above - y; /* huge above the text */
+        unsigned down = fx_wrap_sub(band->y + i + above, y); /* huge above the text */
         if (down < text_height(canvas->width) + above)
             text_row(canvas, (uint8_t *)band->pixels + i * band->stride, x, text, (down >> large) - lead);
     }

@@ -57,16 +57,17 @@ static const uint8_t recip_table[256] = {
  */
 FX_WRAPS uint32_t fx_recip_norm(uint32_t m)
 {
+    FX_REQUIRE(m >> 31, m, 0);
     int32_t x0 = 256 + recip_table[m << 1 >> 24];
     /* 2^39 (1 - x0 m / 2^40) modulo 2^32, |e| < .74 * 2^31; what m >> 1 leaves out and what the last line rounds off
      * cancel on average */
-    int32_t e = (int32_t)(0u - (uint32_t)x0 * (m >> 1));
-    int32_t s = (e + 0x4000) >> 15;          /* e in Q24: |s| < .74 * 2^16 */
-    uint32_t s2 = (uint32_t)s * (uint32_t)s; /* e^2 in Q48, < .55 * 2^32 */
-    int32_t s3 = (int32_t)(s2 >> 17) * s;    /* e^3 in Q55: < .55 * 2^15 * .74 * 2^16 < 2^31 */
-    e += (int32_t)(s2 >> 9) + (s3 >> 16);    /* < .74 * 2^31 + .55 * 2^23 + 2^14 */
+    int32_t e = fx_wrap_s32(0u - fx_u32(x0) * (m >> 1));
+    int32_t s = (e + 0x4000) >> 15;                /* e in Q24: |s| < .74 * 2^16 */
+    uint32_t s2 = fx_wrap_u32(s) * fx_wrap_u32(s); /* e^2 in Q48, < .55 * 2^32 */
+    int32_t s3 = fx_s32(s2 >> 17) * s;             /* e^3 in Q55: < .55 * 2^15 * .74 * 2^16 < 2^31 */
+    e += fx_s32(s2 >> 9) + (s3 >> 16);             /* < .74 * 2^31 + .55 * 2^23 + 2^14 */
     /* at most 2^32 - 1: tested for all m */
-    return ((uint32_t)x0 << 23) + (uint32_t)fx_mulhi_s32(x0 << 16, e);
+    return (fx_u32(x0) << 23) + fx_wrap_u32(fx_mulhi_s32(x0 << 16, e));
 }
 
 /* round(sqrt(2^23 / (2 i + 129))): 2^-23 of the function at the middle of the i-th 192nd of [2^30, 2^32). */
@@ -85,12 +86,13 @@ static const uint8_t rsqrt_table[192] = {
 /* y = 2^23 y0 estimates Y = 2^46 / sqrt(m) with h = 1 - y^2 m / 2^92, and Y = y (1 + h/2 + 3h^2/8 + ...). */
 FX_WRAPS uint32_t fx_rsqrt_norm(uint32_t m)
 {
+    FX_REQUIRE(m >> 30, m, 0);
     int32_t y0 = rsqrt_table[(m >> 24) - 64];
     /* 2^37 (1 - y0^2 m / 2^46) modulo 2^32, |h| < 1.4 * 2^30 */
-    int32_t h = (int32_t)(0u - (uint32_t)(y0 * y0) * (m >> 9));
-    int32_t s = h >> 16;                                          /* |s| < 1.4 * 2^14 */
-    h += 3 * (s * s) >> 7;                                        /* 3 s^2 < 1.5 * 2^30 */
-    return ((uint32_t)y0 << 23) + (uint32_t)(y0 * (h >> 8) >> 7); /* |h| < 1.5 * 2^30: y0 (h >> 8) < 1.5 * 2^30 */
+    int32_t h = fx_wrap_s32(0u - fx_u32(y0 * y0) * (m >> 9));
+    int32_t s = h >> 16;                                         /* |s| < 1.4 * 2^14 */
+    h += 3 * (s * s) >> 7;                                       /* 3 s^2 < 1.5 * 2^30 */
+    return (fx_u32(y0) << 23) + fx_wrap_u32(y0 * (h >> 8) >> 7); /* |h| < 1.5 * 2^30: y0 (h >> 8) < 1.5 * 2^30 */
 }
 
 /*
@@ -109,6 +111,6 @@ FX_WRAPS q30_t fx_sin(uint32_t turn)
     uint32_t p = sin_coefficient[SIN_TERMS - 1];
     for (int k = SIN_TERMS - 2; k >= 0; k--)
         p = sin_coefficient[k] - fx_mulhi_u32(p, z); /* 0 < p <= ck: the next term is smaller */
-    q30_t sine = (q30_t)fx_mulhi_u32(p, x);
+    q30_t sine = fx_s32(fx_mulhi_u32(p, x));
     return turn >> 31 ? -sine : sine;
 }

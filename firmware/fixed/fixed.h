@@ -9,7 +9,7 @@
 #ifndef GLINT_FIXED_H
 #define GLINT_FIXED_H
 
-#include <stdint.h>
+#include "fixed/checked.h"
 
 /*
  * What the instruction set lacks. Narrow: a 32x32->64 multiply and count-leading-zeros (ARMv6-M, ARMv8-M baseline). The
@@ -26,13 +26,6 @@
 #define FX_NO_DIVIDE 0
 #endif
 
-/* Marks a function whose unsigned sums and products are meant modulo 2^32, for clang's integer sanitizer. */
-#if defined(__clang__)
-#define FX_WRAPS __attribute__((no_sanitize("unsigned-integer-overflow", "unsigned-shift-base")))
-#else
-#define FX_WRAPS
-#endif
-
 /* Marks a function that is called a few times a frame or object at most, where its neighbours are not: compiled for
  * size, and kept out of what calls it. */
 #define FX_COLD __attribute__((cold, noinline))
@@ -43,14 +36,17 @@ typedef int32_t q22_t;   /* display units (256 = full intensity), +-512; the sam
 typedef int32_t q30_t;   /* full precision unit values, +-2 */
 typedef int32_t q28_4_t; /* screen coordinates, 1/16 pixel */
 
-/* A constant num/den in Qn, rounded to nearest, halves away from 0; den > 0. */
-#define FX_Q(n, num, den) \
-    ((int32_t)((((int64_t)(num) * ((int64_t)2 << (n))) + ((num) < 0 ? -(den) : (den))) / (2 * (int64_t)(den))))
-#define Q14(num, den) ((q14_t)FX_Q(14, num, den))
-#define Q15(num, den) FX_Q(15, num, den)
-#define Q16(num, den) FX_Q(16, num, den)
-#define Q22(num, den) FX_Q(22, num, den)
-#define Q30(num, den) FX_Q(30, num, den)
+/* A constant num/den in Qn, rounded to nearest, halves away from 0; den > 0. One that does not fit does not compile. */
+#define FX_Q_WIDE(n, num, den) \
+    (((num)*fx_wrap_s64(2) * (INT64_C(1) << (n)) + ((num) < 0 ? -(den) : (den))) / (2 * fx_wrap_s64(den)))
+#define FX_Q_IN(bits, x) \
+    (fx_wrap_s32(x) + 0 * fx_wrap_s32(sizeof(char[(x) >> ((bits)-1) == 0 || (x) >> ((bits)-1) == -1 ? 1 : -1])))
+#define FX_Q(n, num, den) FX_Q_IN(32, FX_Q_WIDE(n, num, den))
+#define Q14(num, den)     fx_wrap_s16(FX_Q_IN(16, FX_Q_WIDE(14, num, den)))
+#define Q15(num, den)     FX_Q(15, num, den)
+#define Q16(num, den)     FX_Q(16, num, den)
+#define Q22(num, den)     FX_Q(22, num, den)
+#define Q30(num, den)     FX_Q(30, num, den)
 
 /* The high word of a product from 16-bit halves: 4 multiplies of 32 bits. */
 static inline uint32_t fx_mulhi_u32_narrow(uint32_t a, uint32_t b)
@@ -63,11 +59,11 @@ static inline uint32_t fx_mulhi_u32_narrow(uint32_t a, uint32_t b)
 }
 static inline int32_t fx_mulhi_s32_narrow(int32_t a, int32_t b)
 {
-    uint32_t a0 = (uint32_t)a & 0xffffu, b0 = (uint32_t)b & 0xffffu;
+    uint32_t a0 = fx_wrap_u32(a) & 0xffffu, b0 = fx_wrap_u32(b) & 0xffffu;
     int32_t a1 = a >> 16, b1 = b >> 16;
     /* -2^15 (2^16 - 1) <= each sum <= (2^15 - 1)(2^16 - 1) + 2^16 - 1 = 2^15 (2^16 - 1) */
-    int32_t mid = a1 * (int32_t)b0 + (int32_t)(a0 * b0 >> 16);
-    int32_t low = (int32_t)a0 * b1 + (mid & 0xffff);
+    int32_t mid = a1 * fx_s32(b0) + fx_s32(a0 * b0 >> 16);
+    int32_t low = fx_s32(a0) * b1 + (mid & 0xffff);
     return a1 * b1 + (mid >> 16) + (low >> 16);
 }
 
@@ -82,7 +78,7 @@ static inline uint32_t fx_mulhi_u32(uint32_t a, uint32_t b)
 #if FX_NARROW
     return fx_mulhi_u32_narrow(a, b);
 #else
-    return (uint32_t)((uint64_t)a * b >> 32);
+    return fx_u32(fx_u64(a) * b >> 32);
 #endif
 }
 static inline int32_t fx_mulhi_s32(int32_t a, int32_t b)
@@ -90,7 +86,7 @@ static inline int32_t fx_mulhi_s32(int32_t a, int32_t b)
 #if FX_NARROW
     return fx_mulhi_s32_narrow(a, b);
 #else
-    return (int32_t)((int64_t)a * b >> 32);
+    return fx_s32(fx_s64(a) * b >> 32);
 #endif
 }
 #endif
@@ -136,8 +132,9 @@ FX_WRAPS static inline __attribute__((always_inline)) void fx_step(uint32_t *x, 
 static inline __attribute__((always_inline)) uint32_t fx_saturated(uint32_t x, unsigned bits, unsigned down)
 {
     uint32_t y = x >> down;
+    FX_REQUIRE(bits > 0 && bits + down < 32, bits, down);
     if (__builtin_expect(y >> bits != 0, 0))
-        y = ~(uint32_t)((int32_t)x >> 31) >> (32 - bits);
+        y = ~fx_wrap_u32(fx_wrap_s32(x) >> 31) >> (32 - bits);
     return y;
 }
 #endif
@@ -145,21 +142,25 @@ static inline __attribute__((always_inline)) uint32_t fx_saturated(uint32_t x, u
 /* Leading zero bits of x > 0. */
 static inline unsigned fx_clz(uint32_t x)
 {
+    FX_REQUIRE(x > 0, x, 0);
 #if FX_NARROW
     return fx_clz_narrow(x);
 #else
-    return (unsigned)__builtin_clz(x);
+    return fx_u32(__builtin_clz(x));
 #endif
 }
+
+#define FX_DIVMOD_MOST ((1 << 30) + (1 << 19))
 
 /* As fx_divmod_floor(), by a division of unsigned numbers: floor(n / d) = ~floor(~n / d). */
 static inline void fx_divmod_floor_narrow(int32_t num, int32_t den, int32_t *quotient, int32_t *remainder)
 {
     int32_t sign = num >> 31;
-    uint32_t n = (uint32_t)(num ^ sign), d = (uint32_t)den; /* n <= 2^30 + 2^19 */
+    uint32_t n = fx_u32(num ^ sign), d = fx_u32(den); /* n <= 2^30 + 2^19 */
+    FX_REQUIRE(num <= FX_DIVMOD_MOST && num >= -FX_DIVMOD_MOST && den > 0 && den <= 1 << 30, num, den);
     uint32_t q = n / d;
-    int32_t r = (int32_t)(n - q * d); /* q d <= n */
-    *quotient = (int32_t)q ^ sign;
+    int32_t r = fx_s32(n - q * d); /* q d <= n */
+    *quotient = fx_s32(q) ^ sign;
     *remainder = sign ? den - 1 - r : r;
 }
 
@@ -173,6 +174,7 @@ static inline void fx_divmod_floor(int32_t num, int32_t den, int32_t *quotient, 
 #if FX_NO_DIVIDE
     fx_divmod_floor_narrow(num, den, quotient, remainder);
 #else
+    FX_REQUIRE(num <= FX_DIVMOD_MOST && num >= -FX_DIVMOD_MOST && den > 0 && den <= 1 << 30, num, den);
     int32_t q = num / den;
     int32_t r = num - q * den; /* |q den| <= |num|, |r| < den */
     int32_t below = r >> 31;   /* -1 where C's quotient, rounded to zero, is above the floor */
@@ -181,8 +183,8 @@ static inline void fx_divmod_floor(int32_t num, int32_t den, int32_t *quotient, 
 #endif
 }
 
-/* n / d for d != 0, rounded towards 0 as the operator does; |n|, |d| < 2^63. A bit of the quotient at a time: a few a
- * frame, for which libgcc's division by table and halves takes 700 to 1100 bytes more. */
+/* n / d for d != 0, rounded towards 0 as the operator does; with sign, |n|, |d| < 2^63. A bit of the quotient at a
+ * time: a few a frame, for which libgcc's division by table and halves takes 700 to 1100 bytes more. */
 uint64_t fx_divide_u64(uint64_t n, uint64_t d);
 int64_t fx_divide_s64(int64_t n, int64_t d);
 
@@ -240,13 +242,14 @@ FX_WRAPS static inline uint32_t fx_power(const struct fx_power *table, q30_t s)
 {
     const uint32_t one = 1u << 30;
     uint32_t span = one >> table->octave;
-    uint32_t above = (uint32_t)s - (one - span); /* modulo 2^32 at least 2^30 for any s below the range */
+    FX_REQUIRE(table->octave <= FX_POWER_MAX_OCTAVE, table->octave, table->exponent);
+    uint32_t above = fx_wrap_u32(s) - (one - span); /* modulo 2^32 at least 2^30 for any s below the range */
     if (above >= span)
-        return s >= (q30_t)one ? 32768u : 0u;
+        return s >= fx_s32(one) ? 32768u : 0u;
     uint32_t t = above << table->octave; /* < 2^30: 7 bits of step, 23 of position in it */
     const uint16_t *v = &table->value[t >> 23];
     /* values never fall, a step rises by at most 2^15, the position has 15 bits: < 2^30 */
-    return v[0] + ((uint32_t)(v[1] - v[0]) * (t << 9 >> 17) >> 15);
+    return v[0] + (fx_u32(v[1] - v[0]) * (t << 9 >> 17) >> 15);
 }
 
 /* s^n in Q15 rounded to nearest, for n in 1..1023 and any s: 0 below 0, 1 above 1. Up to 18 64-bit products. */

@@ -9,15 +9,15 @@ enum { NEAR_PLANE, FAR_PLANE, RIGHT, LEFT, BOTTOM, TOP, PLANES };
 static int64_t inside(const struct transform *t, const struct eye_point *e, int plane)
 {
     if (plane == NEAR_PLANE)
-        return (int64_t)e->z - t->near_z;
+        return fx_s64(e->z) - t->near_z;
     if (plane == FAR_PLANE)
-        return (int64_t)t->far_z - e->z;
+        return fx_s64(t->far_z) - e->z;
     int32_t side = plane < BOTTOM ? e->x : e->y;
     int64_t reach;
     /* |z|, |x| < 2^29, GUARD < 2^14 */
     int down = transform_divides(t) ? t->shift - 30 : t->shift;
     if (transform_divides(t))
-        reach = (int64_t)e->z * GUARD;
+        reach = fx_s64(e->z) * GUARD;
     else
         reach = GUARD;
     int64_t value = side;
@@ -30,19 +30,19 @@ static int64_t inside(const struct transform *t, const struct eye_point *e, int 
 
 static int32_t mix(int32_t a, int32_t b, uint32_t t_q31)
 {
-    return (int32_t)(a + (((int64_t)b - a) * (int64_t)t_q31 + (1 << 30)) / (INT64_C(1) << 31));
+    return fx_s32(a + ((fx_s64(b) - a) * fx_s64(t_q31) + (1 << 30)) / (INT64_C(1) << 31));
 }
 
 /* The cut from a corner inside to one outside: t = d0 / (d0 - d1) in Q31. */
 static void cut(const struct clip_corner *in, int64_t d0, const struct clip_corner *out, int64_t d1,
                 struct clip_corner *result)
 {
-    uint64_t span = (uint64_t)(d0 - d1), part = (uint64_t)d0; /* d0 >= 0 > d1, both below 2^61 in size */
+    uint64_t span = fx_u64(d0 - d1), part = fx_u64(d0); /* d0 >= 0 > d1, both below 2^61 in size */
     while (span >= UINT64_C(1) << 32) {
         span >>= 1;
         part >>= 1;
     }
-    uint32_t t = (uint32_t)fx_divide_u64(part << 31, span ? span : 1);
+    uint32_t t = fx_u32(fx_divide_u64(part << 31, span ? span : 1));
     result->eye.x = mix(in->eye.x, out->eye.x, t);
     result->eye.y = mix(in->eye.y, out->eye.y, t);
     result->eye.z = mix(in->eye.z, out->eye.z, t);

@@ -27,17 +27,17 @@ static void near_point(const q16_t world[3], const struct scene_mesh *mesh, cons
      * since a small mesh has few positions to a Q16. */
     int up = 14;
     for (int i = 0; i < 3; i++) {
-        int64_t way = (int64_t)world[i] - pose->position[i];
+        int64_t way = fx_s64(world[i]) - pose->position[i];
         while (up && (way < 0 ? -way : way) << up >> 2 >= 1 << 29)
             up--;
     }
     for (int i = 0; i < 3; i++)
-        from[i] = (int32_t)((((int64_t)world[i] - pose->position[i]) * (1 << up)) >> 2);
+        from[i] = fx_s32(((fx_s64(world[i]) - pose->position[i]) * (1 << up)) >> 2);
     matrix_apply_transposed(&rotation, from, turned);
     for (int i = 0; i < 3; i++) {
         /* Q31 of the mesh's units, times 2^up / 4: below 2^60, the centre's share below 2^30 * 2^27 */
-        int64_t local = fx_divide_s64((int64_t)turned[i] * (INT64_C(1) << 31), pose->scale) -
-                        (int64_t)mesh->centre[i] * (INT64_C(1) << (13 + up));
+        int64_t local = fx_divide_s64(fx_s64(turned[i]) * (INT64_C(1) << 31), pose->scale) -
+                        fx_s64(mesh->centre[i]) * (INT64_C(1) << (13 + up));
         quotient[i] = fx_divide_s64(local, mesh->extent) * 4; /* position units times 2^up */
         const int64_t size = quotient[i] < 0 ? -quotient[i] : quotient[i];
         largest = size > largest ? size : largest;
@@ -49,9 +49,9 @@ static void near_point(const q16_t world[3], const struct scene_mesh *mesh, cons
     while (shift < 8 && (largest + 1) << (shift + 1) <= FARTHEST)
         shift++;
     for (int i = 0; i < 3; i++) /* quotients are below 2^56, with a shift below 2^(28 + 14) */
-        out->at[i] = (int32_t)(fx_divide_s64(quotient[i] * (1 << shift), 1 << up) >> down);
+        out->at[i] = fx_s32(fx_divide_s64(quotient[i] * (1 << shift), 1 << up) >> down);
     out->near = down == 0;
-    out->shift = (int16_t)shift;
+    out->shift = fx_s16(shift);
     if (down) { /* so far that the mesh is a point */
         q14_t unit[3];
         object_unit(out->at, unit);
@@ -70,14 +70,14 @@ void object_light_setup(struct object_state *object, const struct scene_header *
         far_point(to_eye, ahead, &object->eye);
     else
         near_point(view->position, object->mesh, pose, &object->eye);
-    object->local = (uint16_t)object->eye.near;
+    object->local = fx_u16(object->eye.near);
     for (unsigned i = 0; i < scene->light_count; i++, light++) {
         struct object_light *out = &object->light[i];
         int32_t vector[3], turned[3];
         light_vector_at(scene, light, time_ms, vector);
         if (USES(USES_POINT_LIGHT) && light->kind == LIGHT_POINT) {
             near_point(vector, object->mesh, pose, &out->source);
-            object->local |= (uint16_t)out->source.near;
+            object->local |= fx_u16(out->source.near);
         } else {
             q30_t towards[3];
             matrix_apply(&view->matrix, vector, turned);
@@ -89,7 +89,7 @@ void object_light_setup(struct object_state *object, const struct scene_header *
         if (!object_near(&out->source) && !object_near(&object->eye)) {
             int32_t sum[3];
             for (int j = 0; j < 3; j++) {
-                out->towards[j] = (q14_t)object_way(&out->source, none, j);
+                out->towards[j] = fx_s16(object_way(&out->source, none, j));
                 sum[j] = out->towards[j] + object_way(&object->eye, none, j);
             }
             object_unit(sum, out->half);

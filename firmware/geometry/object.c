@@ -7,25 +7,25 @@ void object_unit(const int32_t v[3], q14_t out[3])
 {
     uint32_t largest = 0;
     for (int i = 0; i < 3; i++)
-        largest |= (uint32_t)(v[i] < 0 ? -v[i] : v[i]);
+        largest |= fx_u32(v[i] < 0 ? -v[i] : v[i]);
     if (!largest) {
         out[0] = out[1] = 0;
         out[2] = Q14(1, 1);
         return;
     }
     /* To 15 bits: each square is at most 2^30, their sum at most 3 * 2^30, and at least 2^28. */
-    int up = (int)fx_clz(largest) - 17;
+    int up = fx_s32(fx_clz(largest)) - 17;
     int32_t w[3];
     uint32_t squared = 0;
     for (int i = 0; i < 3; i++) {
         w[i] = up >= 0 ? v[i] * (1 << up) : v[i] >> -up;
-        squared += (uint32_t)(w[i] * w[i]);
+        squared += fx_u32(w[i] * w[i]);
     }
     unsigned half_bits = squared >> 30 ? 0 : 1;
-    int32_t inverse = (int32_t)(fx_rsqrt_norm(squared << (2 * half_bits)) >> 1); /* Q30 of 1 / sqrt(squared / 2^30) */
+    int32_t inverse = fx_s32(fx_rsqrt_norm(squared << (2 * half_bits)) >> 1); /* Q30 of 1 / sqrt(squared / 2^30) */
     /* w in Q15 of sqrt(2^30): w * inverse is Q45; a product with w < 2^16 moved up by 1 or 2 is Q14 after mulhi. */
     for (int i = 0; i < 3; i++)
-        out[i] = (q14_t)(fx_mulhi_s32(w[i] * (1 << (half_bits + 2)), inverse) >> 1);
+        out[i] = fx_s16(fx_mulhi_s32(w[i] * (1 << (half_bits + 2)), inverse) >> 1);
 }
 
 /* Unit vector towards a point from a place. */
@@ -38,7 +38,7 @@ static void towards_point(const struct object_point *point, const int32_t place[
         object_unit(way, out);
     else
         for (int i = 0; i < 3; i++)
-            out[i] = (q14_t)way[i];
+            out[i] = fx_s16(way[i]);
 }
 
 void object_towards(const struct object_point *point, const int32_t place_q8[3], int32_t out[3])
@@ -52,7 +52,7 @@ void object_towards(const struct object_point *point, const int32_t place_q8[3],
     }
     for (int i = 0; i < 3; i++) { /* below 2^28 + 2^23 */
         way[i] = point->at[i] - (place_q8[i] >> (8 - point->shift));
-        largest |= (uint32_t)(way[i] < 0 ? -way[i] : way[i]);
+        largest |= fx_u32(way[i] < 0 ? -way[i] : way[i]);
     }
     if (!largest) {
         out[0] = out[1] = 0;
@@ -63,11 +63,11 @@ void object_towards(const struct object_point *point, const int32_t place_q8[3],
     const int32_t up = 1 << (fx_clz(largest) - 2);
     for (int i = 0; i < 3; i++) {
         way[i] *= up;
-        squared += (uint32_t)fx_mulhi_s32(way[i], way[i]);
+        squared += fx_u32(fx_mulhi_s32(way[i], way[i]));
     }
     /* even is 2 or 4; with q = squared 2^even, |way| 2^(even / 2) = 2^16 sqrt(q), and inverse = 2^45 / sqrt(q) */
     const unsigned even = fx_clz(squared) & ~1u;
-    const int32_t inverse = (int32_t)(fx_rsqrt_norm(squared << even) >> 1), scale = 1 << (even / 2 - 1);
+    const int32_t inverse = fx_s32(fx_rsqrt_norm(squared << even) >> 1), scale = 1 << (even / 2 - 1);
     for (int i = 0; i < 3; i++)
         out[i] = fx_mulhi_s32(way[i], inverse) * scale;
 }
@@ -132,7 +132,7 @@ int object_place_vertices(const struct object_state *object, const struct scene_
         int placed = project(transform, transform_point(transform, vertex->position), &point);
         record[VERTEX_X] = placed ? point.x : VERTEX_UNPLACED;
         record[VERTEX_Y] = point.y;
-        record[VERTEX_DEPTH] = (int16_t)point.depth;
+        record[VERTEX_DEPTH] = fx_wrap_s16(point.depth);
         all &= placed;
         light_vertex(object->light, object->light + lights, vertex->normal, record + VERTEX_LIGHTS);
     }

@@ -77,7 +77,7 @@ static inline int16_t object_dot(const q14_t a[3], const q14_t b[3])
 {
     /* |a|, |b| <= 1 + 2^-12 in Q14: |sum| <= 2^28 (1 + 2^-11); each product at most 2^28. */
     int32_t dot = (a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + (1 << 13)) >> 14;
-    return (int16_t)(dot > 16383 ? 16383 : dot < -16384 ? -16384 : dot);
+    return fx_s16(dot > 16383 ? 16383 : dot < -16384 ? -16384 : dot);
 }
 
 /* Fills the records of all of the mesh's vertices, `stride` int16_t apart: 1 if each could be placed. What a record has

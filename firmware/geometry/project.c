@@ -5,7 +5,7 @@
 static int enlarged(int32_t v, int up, int32_t reach, int16_t *out)
 {
     const int fits = v <= reach >> up && v >= -(reach >> up);
-    *out = fits ? (int16_t)(v * (1 << up)) : 0;
+    *out = fits ? fx_s16(v * (1 << up)) : 0;
     return fits;
 }
 
@@ -19,14 +19,14 @@ int project_extreme(int32_t x, int32_t y, int down, int32_t reach, struct screen
 
 int project_orthographic(const struct transform *t, struct eye_point e, int32_t reach, struct screen_point *out)
 {
-    uint32_t to_far = (uint32_t)(t->far_z - e.z);
+    uint32_t to_far = fx_u32(t->far_z - e.z);
     /* to_far is below 2^(32 - up) where depth_shift = 47 - up: moved up to 32 bits it is below 2^32, and the product is
      * the depth times 2^(47 - up), less the 32 bits that mulhi drops. */
-    unsigned up = t->depth_shift < 32 ? 32u - (unsigned)t->depth_shift : 0,
-             down = t->depth_shift > 32 ? (unsigned)t->depth_shift - 32 : 0;
+    unsigned up = t->depth_shift < 32 ? 32u - fx_u32(t->depth_shift) : 0,
+             down = t->depth_shift > 32 ? fx_u32(t->depth_shift) - 32 : 0;
     uint32_t depth = fx_mulhi_u32(to_far << up, t->depth_scale) >> down;
     depth = depth > DEPTH_NEAR - DEPTH_FAR ? DEPTH_NEAR - DEPTH_FAR : depth;
-    out->depth = (uint16_t)(DEPTH_FAR + depth);
+    out->depth = fx_u16(DEPTH_FAR + depth);
     return project_round(e.x, e.y, t->shift, reach, out);
 }
 

@@ -12,30 +12,30 @@ int project_extreme(int32_t x, int32_t y, int down, int32_t reach, struct screen
 /* (x, y) * 2^-down rounded to nearest, ties up; 0 if either is beyond `reach`. |x|, |y| < 2^29, reach < 2^15. */
 static inline int project_round(int32_t x, int32_t y, int down, int32_t reach, struct screen_point *out)
 {
-    if ((unsigned)(down - 1) >= 30)
+    if (fx_wrap_u32(down - 1) >= 30)
         return project_extreme(x, y, down, reach, out);
     const int32_t half = 1 << (down - 1); /* below 2^30 */
     x = (x + half) >> down;
     y = (y + half) >> down;
-    out->x = (int16_t)x;
-    out->y = (int16_t)y;
-    return (uint32_t)(x + reach) <= 2u * (uint32_t)reach && (uint32_t)(y + reach) <= 2u * (uint32_t)reach;
+    out->x = fx_wrap_s16(x); /* of no account beyond */
+    out->y = fx_wrap_s16(y);
+    return fx_within(x, reach) && fx_within(y, reach);
 }
 
 static inline int project_perspective(const struct transform *t, struct eye_point e, int32_t reach,
                                       struct screen_point *out)
 {
     /* 1 <= z < 2^29: up in 3..31. r = 2^63 / (z 2^up). */
-    unsigned up = fx_clz((uint32_t)e.z);
-    uint32_t r = fx_recip_norm((uint32_t)e.z << up);
+    unsigned up = fx_clz(fx_u32(e.z));
+    uint32_t r = fx_recip_norm(fx_u32(e.z) << up);
     /* near <= z, so up <= depth_shift, or 1 more by rounding: the ratio in Q(31 + depth_shift - up); wanted in Q16. */
-    unsigned down = 15u + (unsigned)t->depth_shift - up;
+    unsigned down = 15u + fx_u32(t->depth_shift) - up;
     uint32_t q16 = down < 32 ? fx_mulhi_u32(t->depth_scale, r) >> down : 0;
     q16 = q16 > 65535 ? 65535 : q16;
-    out->depth = (uint16_t)(DEPTH_FAR + ((q16 * (uint32_t)(DEPTH_NEAR - DEPTH_FAR)) >> 16));
+    out->depth = fx_u16(DEPTH_FAR + ((q16 * fx_u32(DEPTH_NEAR - DEPTH_FAR)) >> 16));
     /* x / z in units of 2^-(30 - up), |.| < |x| / 2. */
-    int32_t half = (int32_t)(r >> 1);
-    int shift = t->shift - (int)up;
+    int32_t half = fx_s32(r >> 1);
+    int shift = t->shift - fx_s32(up);
     return project_round(fx_mulhi_s32(e.x, half), fx_mulhi_s32(e.y, half), shift, reach, out);
 }
 
@@ -46,7 +46,7 @@ int project_orthographic(const struct transform *t, struct eye_point e, int32_t 
  * sub-pixel inside a 1024-pixel picture. */
 static inline int project_within(const struct transform *t, struct eye_point e, int32_t reach, struct screen_point *out)
 {
-    if ((uint32_t)(e.z - t->near_z) > t->range) /* near_z >= 1, |z| < 2^29 */
+    if (fx_wrap_u32(e.z - t->near_z) > t->range) /* near_z >= 1, |z| < 2^29 */
         return 0;
     return transform_divides(t) ? project_perspective(t, e, reach, out) : project_orthographic(t, e, reach, out);
 }

@@ -16,7 +16,7 @@ static const uint16_t length[(CURVE_MOST_BEND >> STEP) + 2] = {
 static uint32_t between(const uint16_t *table, uint32_t k)
 {
     const uint32_t i = k >> STEP, part = k & ((1u << STEP) - 1);
-    return table[i] + ((uint32_t)(table[i + 1] - table[i]) * part >> STEP) + 1;
+    return table[i] + (fx_u32(table[i + 1] - table[i]) * part >> STEP) + 1;
 }
 
 uint32_t plan_bump_distance(uint32_t k)
@@ -70,7 +70,7 @@ void plan_bump_light(struct plan_bump *plan, const struct plan_surface *s, unsig
             continue;
         }
         const uint32_t shorter = curve.stretch << 15, /* Q30: stretch is a little more than r */
-            kept = shorter < 1u << 30 ? fx_power(s->power, (q30_t)((1u << 30) - shorter)) : 0;
+            kept = shorter < 1u << 30 ? fx_power(s->power, fx_s32((1u << 30) - shorter)) : 0;
         plan->linear += scaled(coefficient[1], 2 * (32768 - kept) + drift + 256); /* the table is off by .5 / 255 */
         const uint32_t longer = n * (along + (far * far >> 17) + 1),              /* 2^10 * 2^13 */
             grown = longer < 1u << 15 ? longer + (longer * longer >> 16) + 1 : 1u << 16;
@@ -81,6 +81,6 @@ void plan_bump_light(struct plan_bump *plan, const struct plan_surface *s, unsig
 enum plan_bump_kind plan_bump_choose(const struct plan_bump *plan, const struct plan_surface *s, uint16_t *error)
 {
     const int linear = plan->linear <= s->budget, quadratic = plan->quadratic <= s->budget;
-    *error = (uint16_t)(linear ? plan->linear : quadratic ? plan->quadratic : 0);
+    *error = fx_u16(linear ? plan->linear : quadratic ? plan->quadratic : 0);
     return linear ? PLAN_BUMP_LINEAR : quadratic ? PLAN_BUMP_QUADRATIC : PLAN_BUMP_NORMALISED;
 }

@@ -88,9 +88,9 @@ static inline struct curve_values curve_values(int32_t a, int32_t b, int32_t c)
 static inline void curve_bound(const struct curve *curve, struct curve_values *v)
 {
     const int32_t mean = ((v->high * 607 + (v->middle > 0 ? v->middle : 0) * 418) >> 10) + 1;
-    v->linear = curve->lines ? (int32_t)((uint32_t)mean * curve->stretch >> 15) + 1 : 16384;
+    v->linear = curve->lines ? fx_s32(fx_u32(mean) * curve->stretch >> 15) + 1 : 16384;
     v->top = v->high;
-    if (v->high - v->middle <= (int32_t)((uint32_t)v->high * curve->bend >> 15) + 1) {
+    if (v->high - v->middle <= fx_s32(fx_u32(v->high) * curve->bend >> 15) + 1) {
         v->top += v->linear;
         if (v->top > 16384)
             v->top = 16384;
@@ -101,14 +101,14 @@ static inline void curve_bound(const struct curve *curve, struct curve_values *v
 static inline int32_t curve_six(const struct curve *curve, const struct curve_values *v)
 {
     const struct curve_line *line = curve->lines;
-    const int32_t scaled = (int32_t)((uint32_t)v->high * curve->bend >> 16) + 1, range = v->high - v->low;
+    const int32_t scaled = fx_s32(fx_u32(v->high) * curve->bend >> 16) + 1, range = v->high - v->low;
     if (range > 4 * scaled)
         line += range > 16 * scaled ? 4 : 3;
     else
         line += range > 2 * scaled ? 2 : range > scaled;
     /* |alpha| < 2^16, |beta| < 2^14.1, scaled <= 2^13, range <= 2^15: below 2^31; and never below 0 */
     const int32_t most = line->alpha * scaled + line->beta * range;
-    return (int32_t)((((uint32_t)most >> 14) + 1) * curve->bend >> 18) + 2;
+    return fx_s32(((fx_u32(most) >> 14) + 1) * curve->bend >> 18) + 2;
 }
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "plan/fog.h"
 
-#define DEPTHS   ((uint32_t)(DEPTH_NEAR - DEPTH_FAR)) /* K */
+#define DEPTHS   (fx_u32(DEPTH_NEAR - DEPTH_FAR)) /* K */
 #define ONE      (1 << 16)
 #define MOST     (1 << 30)   /* of A / c and of B */
 #define LOG2_E   3098164009u /* 1 / ln 2 in Q31 */
@@ -21,17 +21,17 @@ FX_COLD static struct scaled scaled_of(uint64_t x, int down)
         x <<= 1;
     for (; x >> 32; down--) /* at most 31 bits go */
         x >>= 1;
-    return (struct scaled){(uint32_t)x, down};
+    return (struct scaled){fx_u32(x), down};
 }
 
 static struct scaled product(struct scaled a, struct scaled b)
 {
-    return scaled_of((uint64_t)a.m * b.m, a.down + b.down);
+    return scaled_of(fx_u64(a.m) * b.m, a.down + b.down);
 }
 
 static struct scaled quotient(struct scaled a, struct scaled b)
 {
-    return scaled_of(fx_divide_u64((uint64_t)a.m << 31, b.m), a.down + 31 - b.down);
+    return scaled_of(fx_divide_u64(fx_u64(a.m) << 31, b.m), a.down + 31 - b.down);
 }
 
 /* x 2^-down, at most MOST. */
@@ -42,7 +42,7 @@ static int32_t fitted(uint32_t x, int down)
     if (down < 0) /* x is 0 or at least 2^30 where this is called */
         return x ? MOST : 0;
     x >>= down;
-    return x > MOST ? MOST : (int32_t)x;
+    return x > MOST ? MOST : fx_s32(x);
 }
 
 static int32_t q16_of(struct scaled a)
@@ -53,7 +53,7 @@ static int32_t q16_of(struct scaled a)
 /* c in Q16. Depths are rounded down, once or in perspective twice: on the average half of that is put back. */
 static uint32_t closeness_of(const struct fog *fog, uint32_t depth_q16)
 {
-    const uint32_t far = (uint32_t)DEPTH_FAR << 16, least = 1u << 14, back = fog->divides ? 1u << 16 : 1u << 15;
+    const uint32_t far = fx_u32(DEPTH_FAR) << 16, least = 1u << 14, back = fog->divides ? 1u << 16 : 1u << 15;
     return depth_q16 + back > far + least ? depth_q16 + back - far
                                           : least; /* depths are at most DEPTH_NEAR and a rounding */
 }
@@ -66,7 +66,7 @@ static int32_t argument(const struct fog *fog, uint32_t depth_q16)
         return fog->offset - fitted(fx_mulhi_u32(fog->scale, c), fog->scale_down - 32);
     /* A / c = scale 2^-scale_down * r 2^(up - 63) 2^16, in Q16 2^16 more, of which mulhi takes 2^32 */
     const unsigned up = fx_clz(c);
-    return fitted(fx_mulhi_u32(fog->scale, fx_recip_norm(c << up)), fog->scale_down - 1 - (int)up) - fog->offset;
+    return fitted(fx_mulhi_u32(fog->scale, fx_recip_norm(c << up)), fog->scale_down - 1 - fx_s32(up)) - fog->offset;
 }
 
 static uint32_t part_of(const struct fog *fog, int32_t u)
@@ -74,8 +74,8 @@ static uint32_t part_of(const struct fog *fog, int32_t u)
     if (u <= 0)
         return 0;
     if (fog->kind == FOG_EXPONENTIAL)
-        return ONE - fx_exp2_minus((uint32_t)u);
-    return u < ONE ? (uint32_t)u : ONE;
+        return ONE - fx_exp2_minus(fx_u32(u));
+    return u < ONE ? fx_u32(u) : ONE;
 }
 
 uint32_t fog_part(const struct fog *fog, uint32_t depth_q16)
@@ -99,7 +99,7 @@ FX_COLD static uint16_t first_depth(const struct fog *fog, uint32_t part)
         else
             high = middle;
     }
-    return (uint16_t)low;
+    return fx_u16(low);
 }
 
 /* The greatest |dF/dc|, by which a depth counts that is off by 1 (orthographic: 1/2). In perspective du/dc = -A / c^2 =
@@ -109,13 +109,13 @@ FX_COLD static uint16_t error_of(const struct fog *fog, struct scaled a)
     const int exponential = fog->kind == FOG_EXPONENTIAL;
     int32_t error;
     if (fog->divides) {
-        const uint64_t reach = exponential ? 0 : (uint64_t)(uint32_t)(ONE + fog->offset);
+        const uint64_t reach = exponential ? 0 : fx_u64(fx_u32(ONE + fog->offset));
         error = q16_of(quotient(exponential ? scaled_of(25, 5) : scaled_of(reach * reach, 32), a));
     } else {
         error = q16_of(a) / 2;
     }
     error += exponential ? 10 : 4;
-    return (uint16_t)(error > 65535 ? 65535 : error);
+    return fx_u16(error > 65535 ? 65535 : error);
 }
 
 /* thickness: of linear fog. */
@@ -127,28 +127,28 @@ FX_COLD static struct scaled scale_of(const struct fog *fog, const struct scene_
                                        ? quotient(scaled_of(1, 0), scaled_of(thickness, 16))
                                        : product(scaled_of(scene->fog.density, 24), (struct scaled){LOG2_E, 31});
     if (fog->divides)
-        return product(product(scaled_of((uint32_t)camera->near_plane, 16), depths), per_unit);
-    return product(quotient(scaled_of((uint32_t)(camera->far_plane - camera->near_plane), 16), depths), per_unit);
+        return product(product(scaled_of(fx_u32(camera->near_plane), 16), depths), per_unit);
+    return product(quotient(scaled_of(fx_u32(camera->far_plane - camera->near_plane), 16), depths), per_unit);
 }
 
 FX_COLD void fog_begin(struct fog *fog, const struct scene_header *scene)
 {
     const struct scene_fog *from = &scene->fog;
-    const uint32_t far = (uint32_t)scene->camera.far_plane;
-    *fog = (struct fog){.kind = (uint8_t)from->kind, .divides = scene->camera.kind == CAMERA_PERSPECTIVE};
-    if (fog->kind == FOG_LINEAR && (uint32_t)from->from >= far)
+    const uint32_t far = fx_u32(scene->camera.far_plane);
+    *fog = (struct fog){.kind = fx_u8(from->kind), .divides = scene->camera.kind == CAMERA_PERSPECTIVE};
+    if (fog->kind == FOG_LINEAR && fx_u32(from->from) >= far)
         fog->kind = FOG_NONE;
     if (fog->kind == FOG_NONE)
         return;
-    const uint32_t thinnest = (fog->divides ? (uint32_t)from->from : far) >> THINNEST;
-    uint32_t thickness = (uint32_t)(from->to - from->from);
+    const uint32_t thinnest = (fog->divides ? fx_u32(from->from) : far) >> THINNEST;
+    uint32_t thickness = fx_u32(from->to - from->from);
     thickness = thickness > thinnest ? thickness : thinnest;
     const struct scaled a = scale_of(fog, scene, thickness);
     fog->scale = a.m;
-    fog->scale_down = (int16_t)a.down;
+    fog->scale_down = fx_s16(a.down);
     if (fog->kind == FOG_LINEAR) {
-        const int64_t to_far = fog->divides ? from->from : (int64_t)far - from->from;
-        fog->offset = (int32_t)fx_divide_s64(to_far * ONE, thickness);
+        const int64_t to_far = fog->divides ? from->from : fx_s64(far) - from->from;
+        fog->offset = fx_s32(fx_divide_s64(to_far * ONE, thickness));
     } else if (!fog->divides) {
         fog->offset =
             q16_of(product(scaled_of(far, 16), product(scaled_of(from->density, 24), (struct scaled){LOG2_E, 31})));
@@ -156,7 +156,7 @@ FX_COLD void fog_begin(struct fog *fog, const struct scene_header *scene)
     fog->error = error_of(fog, a);
     fog->clear = first_depth(fog, 0);
     fog->solid = first_depth(fog, (ONE >> 2) - 1);
-    fog->solid = (uint16_t)(fog->solid ? fog->solid - 1 : 0);
+    fog->solid = fx_u16(fog->solid ? fog->solid - 1 : 0);
 }
 
 /* How far the interpolation of u between the extremes can be above it, Q16. They differ by less than 1. */
@@ -164,9 +164,9 @@ static uint32_t bow_of(const struct fog *fog, int32_t near, int32_t far)
 {
     if (!fog->divides)
         return 0;
-    const uint32_t step = (uint32_t)(far - near);
+    const uint32_t step = fx_u32(far - near);
     /* z in u's units: at most MOST, so a quarter of the sum is at most 2^30 */
-    const uint32_t sum = 3 * ((uint32_t)(near + fog->offset) >> 2) + ((uint32_t)(far + fog->offset) >> 2);
+    const uint32_t sum = 3 * (fx_u32(near + fog->offset) >> 2) + (fx_u32(far + fog->offset) >> 2);
     return sum ? (step * step >> 2) / sum + 2 : step;
 }
 
@@ -176,7 +176,7 @@ static uint32_t exponential_error(uint32_t bow, uint32_t step, int32_t least)
     const uint32_t curve = step * step >> 20; /* (ln 2)^2 / 8 < 2^-4 */
     bow = bow * 45427 >> 16;                  /* ln 2 */
     bow = (bow > curve ? bow : curve) + 1;
-    return (bow * fx_exp2_minus(least > 0 ? (uint32_t)least : 0) >> 16) + 2; /* bow < 3/4 * 2^16 */
+    return (bow * fx_exp2_minus(least > 0 ? fx_u32(least) : 0) >> 16) + 2; /* bow < 3/4 * 2^16 */
 }
 
 /* How far the interpolated part can be off, Q16. */
@@ -186,8 +186,8 @@ static uint32_t linear_error(const struct fog *fog, int32_t near, int32_t far)
         return ONE;
     const uint32_t bow = bow_of(fog, near, far); /* at most their difference and 2 */
     if (fog->kind == FOG_EXPONENTIAL)
-        return exponential_error(bow, (uint32_t)(far - near), near);
-    return bow + (uint32_t)(near < 0 ? -near : 0) + (uint32_t)(far > ONE ? far - ONE : 0);
+        return exponential_error(bow, fx_u32(far - near), near);
+    return bow + fx_u32(near < 0 ? -near : 0) + fx_u32(far > ONE ? far - ONE : 0);
 }
 
 uint32_t fog_run_error(const struct fog *fog, const int32_t depth[3], uint32_t step_q16)
@@ -195,14 +195,14 @@ uint32_t fog_run_error(const struct fog *fog, const int32_t depth[3], uint32_t s
     int32_t least = depth[0] < depth[1] ? depth[0] : depth[1], most = depth[0] < depth[1] ? depth[1] : depth[0];
     least = depth[2] < least ? depth[2] : least;
     most = depth[2] > most ? depth[2] : most;
-    const int32_t most_u = argument(fog, (uint32_t)least << 16), least_u = argument(fog, (uint32_t)most << 16);
-    const uint32_t at = (uint32_t)(least < fog->solid ? fog->solid : least) << 16, top = (uint32_t)DEPTH_NEAR << 16;
+    const int32_t most_u = argument(fog, fx_u32(least) << 16), least_u = argument(fog, fx_u32(most) << 16);
+    const uint32_t at = fx_u32(least < fog->solid ? fog->solid : least) << 16, top = fx_u32(DEPTH_NEAR) << 16;
     if (step_q16 > top - at)
         return ONE;
     const int32_t near = argument(fog, at + step_q16), far = argument(fog, at);
     if (far - near >= ONE)
         return ONE;
-    const uint32_t bow = bow_of(fog, near, far), step = (uint32_t)(far - near);
+    const uint32_t bow = bow_of(fog, near, far), step = fx_u32(far - near);
     if (fog->kind == FOG_EXPONENTIAL)
         return exponential_error(bow, step, least_u);
     return least_u < 0 || most_u > ONE ? bow + step / 4 + 1 : bow;
@@ -215,7 +215,7 @@ static void set_even(struct fog_plan *plan, uint32_t part_q14, int all)
         plan->kind = FOGGED_NOT;
     if (!all && part_q14 == ONE >> 2)
         plan->kind = FOGGED_WHOLLY;
-    plan->part[0] = plan->part[1] = plan->part[2] = (int32_t)part_q14;
+    plan->part[0] = plan->part[1] = plan->part[2] = fx_s32(part_q14);
 }
 
 void fog_choose(const struct fog *fog, const int32_t depth[3], uint32_t allowed, int all, struct fog_plan *plan)
@@ -230,7 +230,7 @@ void fog_choose(const struct fog *fog, const int32_t depth[3], uint32_t allowed,
         return;
     }
     for (int k = 0; k < 3; k++) {
-        const int32_t u = argument(fog, (uint32_t)depth[k] << 16);
+        const int32_t u = argument(fog, fx_u32(depth[k]) << 16);
         part[k] = part_of(fog, u);
         near = u < near ? u : near;
         far = u > far ? u : far;
@@ -245,7 +245,7 @@ void fog_choose(const struct fog *fog, const int32_t depth[3], uint32_t allowed,
         return;
     }
     for (int k = 0; k < 3; k++)
-        plan->part[k] = (int32_t)q14_of(part[k]);
+        plan->part[k] = fx_s32(q14_of(part[k]));
     const uint32_t error = linear_error(fog, near, far);
     plan->kind = error <= allowed ? FOGGED_LINEARLY : FOGGED_BY_PIXEL;
     plan->error += error <= allowed ? error : 0;

@@ -11,7 +11,7 @@ static void way_to(const struct object_point *to, const int32_t place[3], int32_
 /* Products of way and normal: 3 * 2^28.01 * 2^25 < 2^55; of two ways: below 2^58. */
 static int64_t inner(const int32_t a[3], const int32_t b[3])
 {
-    return (int64_t)a[0] * b[0] + (int64_t)a[1] * b[1] + (int64_t)a[2] * b[2];
+    return fx_s64(a[0]) * b[0] + fx_s64(a[1]) * b[1] + fx_s64(a[2]) * b[2];
 }
 
 /* The sign of (l x v) . n, exactly: components of the cross product are below 2^58; in halves, the upper sum is below
@@ -21,7 +21,7 @@ static int triple_sign(const int32_t l[3], const int32_t v[3], const int32_t n[3
     int64_t high = 0, low = 0;
     for (int i = 0; i < 3; i++) {
         int j = i == 2 ? 0 : i + 1, k = 3 - i - j;
-        int64_t cross = (int64_t)l[j] * v[k] - (int64_t)l[k] * v[j];
+        int64_t cross = fx_s64(l[j]) * v[k] - fx_s64(l[k]) * v[j];
         high += (cross >> 32) * n[i];
         low += (cross & 0xffffffff) * n[i];
     }
@@ -37,15 +37,15 @@ struct scaled {
 
 static struct scaled scaled_of(uint64_t x)
 {
-    uint32_t upper = (uint32_t)(x >> 32);
-    int bits = upper ? 64 - (int)fx_clz(upper) : 32 - (int)fx_clz((uint32_t)x | 1);
-    struct scaled s = {(uint32_t)(bits > 31 ? x >> (bits - 31) : x << (31 - bits)), bits - 31};
+    uint32_t upper = fx_u32(x >> 32);
+    int bits = upper ? 64 - fx_s32(fx_clz(upper)) : 32 - fx_s32(fx_clz(fx_u32(x) | 1));
+    struct scaled s = {fx_u32(bits > 31 ? x >> (bits - 31) : x << (31 - bits)), bits - 31};
     return s;
 }
 
 static struct scaled times(struct scaled a, struct scaled b)
 {
-    struct scaled product = scaled_of((uint64_t)a.mantissa * b.mantissa);
+    struct scaled product = scaled_of(fx_u64(a.mantissa) * b.mantissa);
     product.exponent += a.exponent + b.exponent;
     return product;
 }
@@ -73,7 +73,7 @@ static int h2_sign(int64_t vn, uint64_t vv, int64_t ln, uint64_t ll)
         return 0;
     if ((vn < 0) != (ln < 0) || !vn || !ln)
         return vn > ln ? 1 : vn < ln ? -1 : 0;
-    struct scaled v = scaled_of((uint64_t)(vn < 0 ? -vn : vn)), l = scaled_of((uint64_t)(ln < 0 ? -ln : ln));
+    struct scaled v = scaled_of(fx_u64(vn < 0 ? -vn : vn)), l = scaled_of(fx_u64(ln < 0 ? -ln : ln));
     int larger = compare(times(times(v, v), scaled_of(ll)), times(times(l, l), scaled_of(vv)));
     return vn < 0 ? -larger : larger;
 }
@@ -86,8 +86,8 @@ struct highlighted_conditions highlighted_at(const struct object_state *object, 
     way_to(&object->light[light].source, point->place, l);
     way_to(&object->eye, point->place, v);
     int64_t ln = inner(l, point->normal), vn = inner(v, point->normal);
-    at.h1 = (int8_t)triple_sign(l, v, point->normal);
-    at.h2 = (int8_t)h2_sign(vn, (uint64_t)inner(v, v), ln, (uint64_t)inner(l, l));
+    at.h1 = fx_s8(triple_sign(l, v, point->normal));
+    at.h2 = fx_s8(h2_sign(vn, fx_u64(inner(v, v)), ln, fx_u64(inner(l, l))));
     at.away = ln < 0 && vn < 0;
     at.towards = ln > 0 && vn > 0;
     return at;
@@ -99,12 +99,12 @@ struct highlighted_signs highlighted_signs(const struct object_state *object, un
     struct highlighted_signs signs = {0, 0, 0, 0, 0, 0};
     for (unsigned i = 0; i < lights; i++) {
         struct highlighted_conditions at = highlighted_at(object, i, point);
-        signs.below1 |= (uint8_t)((at.h1 <= 0) << i);
-        signs.above1 |= (uint8_t)((at.h1 >= 0) << i);
-        signs.below2 |= (uint8_t)((at.h2 <= 0) << i);
-        signs.above2 |= (uint8_t)((at.h2 >= 0) << i);
-        signs.away |= (uint8_t)(at.away << i);
-        signs.towards |= (uint8_t)(at.towards << i);
+        signs.below1 |= fx_u8((at.h1 <= 0) << i);
+        signs.above1 |= fx_u8((at.h1 >= 0) << i);
+        signs.below2 |= fx_u8((at.h2 <= 0) << i);
+        signs.above2 |= fx_u8((at.h2 >= 0) << i);
+        signs.away |= fx_u8(at.away << i);
+        signs.towards |= fx_u8(at.towards << i);
     }
     return signs;
 }
@@ -116,7 +116,7 @@ static int16_t sides_of(const struct highlighted_signs *a, const struct highligh
                         const struct highlighted_signs *c, int backs)
 {
     int16_t sides = highlighted_lights(a, b, c) ? HIGHLIGHTED_FRONT : 0;
-    if (backs && highlighted_centres(a, b, c) & ~(unsigned)(a->towards & b->towards & c->towards))
+    if (backs && highlighted_centres(a, b, c) & ~fx_u32(a->towards & b->towards & c->towards))
         sides |= HIGHLIGHTED_BACK;
     return sides;
 }

@@ -43,15 +43,15 @@ struct highlighted_signs highlighted_signs(const struct object_state *object, un
 static inline unsigned highlighted_centres(const struct highlighted_signs *a, const struct highlighted_signs *b,
                                            const struct highlighted_signs *c)
 {
-    return (unsigned)((a->below1 | b->below1 | c->below1) & (a->above1 | b->above1 | c->above1) &
-                      (a->below2 | b->below2 | c->below2) & (a->above2 | b->above2 | c->above2));
+    return fx_u32((a->below1 | b->below1 | c->below1) & (a->above1 | b->above1 | c->above1) &
+                  (a->below2 | b->below2 | c->below2) & (a->above2 | b->above2 | c->above2));
 }
 
 /* The lights whose highlight may be centred in the triangle. */
 static inline unsigned highlighted_lights(const struct highlighted_signs *a, const struct highlighted_signs *b,
                                           const struct highlighted_signs *c)
 {
-    return highlighted_centres(a, b, c) & ~(unsigned)(a->away & b->away & c->away);
+    return highlighted_centres(a, b, c) & ~fx_u32(a->away & b->away & c->away);
 }
 
 /*

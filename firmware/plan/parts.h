@@ -9,7 +9,7 @@
 /* A coefficient (Q8) times a Q14 quantity of at most 1, rounded up: below 2^16 * 2^14. */
 static inline uint32_t parts_scaled(uint32_t coefficient, int32_t q14)
 {
-    return (coefficient * (uint32_t)(q14 < 16384 ? q14 : 16384) >> 14) + 1;
+    return (coefficient * fx_u32(q14 < 16384 ? q14 : 16384) >> 14) + 1;
 }
 
 /* (N.H)^n in Q15 of at most 1 in Q14, by the power's table: fx_power() for what it is asked here. */
@@ -18,9 +18,9 @@ static inline uint32_t parts_power(const struct plan_surface *s, int32_t h)
     const int32_t above = h - s->foot;
     if (above < 0)
         return 0;
-    const uint32_t t = (uint32_t)above << s->power->octave; /* at most 2^14: 7 bits of step, 7 of position in it */
+    const uint32_t t = fx_u32(above) << s->power->octave; /* at most 2^14: 7 bits of step, 7 of position in it */
     const uint16_t *v = &s->power->value[t >> 7];
-    return v[0] + ((uint32_t)(v[1] - v[0]) * (t & 127) >> 7);
+    return v[0] + (fx_u32(v[1] - v[0]) * (t & 127) >> 7);
 }
 
 /* A highlight's part of the colour at N.H: below 2^16 * 2^15. */

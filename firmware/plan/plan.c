@@ -28,9 +28,9 @@ static int is_constant(const struct facts *f, const struct plan_surface *s, stru
         if (range > 2u * s->budget)
             return 0;
     }
-    plan->level[0] = (uint16_t)(f->lit ? f->l.top + low : 0);
-    plan->level[1] = (uint16_t)((power[0] + power[1]) / 2);
-    plan->error = (uint16_t)((range + 1) / 2);
+    plan->level[0] = fx_u16(f->lit ? f->l.top + low : 0);
+    plan->level[1] = fx_u16((power[0] + power[1]) / 2);
+    plan->error = fx_u16((range + 1) / 2);
     return 1;
 }
 
@@ -50,7 +50,7 @@ static int is_gouraud(const struct facts *f, const struct plan_surface *s, struc
     } else {
         bright += f->most;
     }
-    plan->error = (uint16_t)(dark > bright ? dark : bright);
+    plan->error = fx_u16(dark > bright ? dark : bright);
     return 1;
 }
 
@@ -58,13 +58,13 @@ static int is_gouraud(const struct facts *f, const struct plan_surface *s, struc
 static void take_linear(const struct facts *f, const struct plan_surface *s, struct shade_plan *plan)
 {
     plan->rung = PLAN_LINEAR;
-    plan->diffuse = (uint8_t)f->lit;
-    plan->specular = (uint8_t)f->shines;
-    plan->error = (uint16_t)(f->linear_l + f->linear_h);
+    plan->diffuse = fx_u8(f->lit);
+    plan->specular = fx_u8(f->shines);
+    plan->error = fx_u16(f->linear_l + f->linear_h);
     if (f->shines && f->linear_l + f->most <= s->budget) {
         plan->specular = 0;
         plan->dropped_highlights = 1;
-        plan->error = (uint16_t)(f->linear_l + f->most);
+        plan->error = fx_u16(f->linear_l + f->most);
     }
 }
 
@@ -77,8 +77,8 @@ static void take_six(const struct facts *f, const struct plan_surface *s, struct
     plan->rung = s->sharp || !f->curve.lines || f->curve.sum > s->duff_sum ? PLAN_PHONG : PLAN_DUFF;
     if (!f->curve.lines)
         return;
-    plan->diffuse = (uint8_t)f->lit;
-    plan->specular = (uint8_t)f->shines;
+    plan->diffuse = fx_u8(f->lit);
+    plan->specular = fx_u8(f->shines);
     if (f->lit)
         six_l = parts_scaled(f->diffuse, curve_six(&f->curve, &f->l));
     if (six_l > f->linear_l) /* a bound may be the looser one of its kind */
@@ -104,7 +104,7 @@ static void take_six(const struct facts *f, const struct plan_surface *s, struct
     }
     plan->diffuse_bent &= plan->diffuse;
     plan->rung = plan->diffuse_bent | plan->specular_bent ? PLAN_SIX : PLAN_LINEAR;
-    plan->error = (uint16_t)error;
+    plan->error = fx_u16(error);
 }
 
 void plan_keep(struct shade_plan *plan)
@@ -147,8 +147,8 @@ void plan_triangle(struct shade_plan *plan, const struct plan_surface *s, const 
             f.linear_h = parts_slack(s, f.specular, f.h.top, f.h.linear, f.most);
         }
     }
-    plan->hidden_lights = (uint8_t)!f.lit;
-    plan->hidden_highlights = (uint8_t)(f.specular && !f.shines);
+    plan->hidden_lights = fx_u8(!f.lit);
+    plan->hidden_highlights = fx_u8(f.specular && !f.shines);
     const int finished = !s->apart || (!f.shines && (!f.lit || parts_scaled(f.diffuse, f.l.top) <= s->full));
     if (!f.lit && !f.shines)
         plan->rung = PLAN_DARK;

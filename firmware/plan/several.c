@@ -40,7 +40,7 @@ static uint32_t coefficient(const struct work *w, unsigned light, unsigned highl
 /* (p) What perspective adds to a linear value: (range + 1) * shift <= 2^31. */
 static int32_t moved(const struct work *w, const struct curve_values *v)
 {
-    return w->t->shift ? (int32_t)((uint32_t)(v->high - v->low) * w->t->shift >> 16) + 1 : 0;
+    return w->t->shift ? fx_s32(fx_u32(v->high - v->low) * w->t->shift >> 16) + 1 : 0;
 }
 
 /* (p) And to a curved one: shift (range g + 2 h kB g^3), g the largest 1 / |N|. */
@@ -49,14 +49,14 @@ static int32_t moved_curved(const struct work *w, const struct curve_values *v)
     if (!w->t->shift)
         return 0;
     const uint32_t g = (w->curve.stretch >> 7) + 257, cube = (g * g >> 8) * g >> 8; /* Q8: below 2^9, 2^11 */
-    const uint32_t curl = ((uint32_t)v->high * w->curve.bend >> 15) + 1;            /* 2 h kB, below 2^14.1 */
-    const uint32_t sum = ((uint32_t)(v->high - v->low) * g + curl * cube) >> 8;     /* below 2^17.3 */
-    return (int32_t)((sum >> 2) * (w->t->shift >> 2) >> 12) + 2;
+    const uint32_t curl = (fx_u32(v->high) * w->curve.bend >> 15) + 1;              /* 2 h kB, below 2^14.1 */
+    const uint32_t sum = (fx_u32(v->high - v->low) * g + curl * cube) >> 8;         /* below 2^17.3 */
+    return fx_s32((sum >> 2) * (w->t->shift >> 2) >> 12) + 2;
 }
 
 static void keep_part(struct work *w, unsigned light, unsigned highlight, uint32_t none, uint32_t linear)
 {
-    w->part[w->parts++] = (struct part){(uint16_t)none, (uint16_t)linear, 0, (uint8_t)light, (uint8_t)highlight, 0};
+    w->part[w->parts++] = (struct part){fx_u16(none), fx_u16(linear), 0, fx_u8(light), fx_u8(highlight), 0};
     w->most += none;
     w->linear += linear;
 }
@@ -69,12 +69,12 @@ static void add_parts(struct work *w, struct shade_plan *plan, unsigned light)
     if (l.high > 0 && diffuse)
         keep_part(w, light, 0, parts_scaled(diffuse, l.top), parts_scaled(diffuse, l.linear + moved(w, &l)));
     else
-        plan->hidden_lights |= (uint8_t)(1u << light);
+        plan->hidden_lights |= fx_u8(1u << light);
     if (h.high > 0 && specular && h.top >= s->foot) {
         const uint32_t most = parts_shine(s, specular, h.top) + 1;
         keep_part(w, light, 1, most, parts_slack(s, specular, h.top, h.linear + moved(w, &h), most));
     } else if (specular) {
-        plan->hidden_highlights |= (uint8_t)(1u << light);
+        plan->hidden_highlights |= fx_u8(1u << light);
     }
 }
 
@@ -87,10 +87,10 @@ static int is_constant(const struct work *w, struct shade_plan *plan)
     for (unsigned i = 0; i < w->parts; i++) {
         const struct part *p = &w->part[i];
         const struct curve_values v = values(w, p->light, p->highlight);
-        uint32_t low = v.low > 0 ? (uint32_t)v.low : 0, high = (uint32_t)v.top;
+        uint32_t low = v.low > 0 ? fx_u32(v.low) : 0, high = fx_u32(v.top);
         if (p->highlight) {
-            low = parts_power(w->s, (int32_t)low);
-            high = parts_power(w->s, (int32_t)high);
+            low = parts_power(w->s, fx_s32(low));
+            high = parts_power(w->s, fx_s32(high));
         } else {
             low *= 2;
             high *= 2; /* Q15 */
@@ -98,9 +98,9 @@ static int is_constant(const struct work *w, struct shade_plan *plan)
         range += ((high - low) * coefficient(w, p->light, p->highlight) >> 15) + 1;
         if (range > 2u * w->s->budget)
             return 0;
-        plan->level[2 * p->light + p->highlight] = (uint16_t)((low + high) / 2);
+        plan->level[2 * p->light + p->highlight] = fx_u16((low + high) / 2);
     }
-    plan->error = (uint16_t)((range + 1) / 2);
+    plan->error = fx_u16((range + 1) / 2);
     return 1;
 }
 
@@ -122,7 +122,7 @@ static int is_gouraud(const struct work *w, struct shade_plan *plan)
             return 0;
     }
     const uint32_t dark = w->linear + over, error = (dark > bright ? dark : bright) + turn;
-    plan->error = (uint16_t)error;
+    plan->error = fx_wrap_u16(error); /* of no account beyond the budget: another rung's takes its place */
     return error <= s->budget;
 }
 
@@ -141,7 +141,7 @@ static int bend_parts(struct work *w)
     for (unsigned i = 0; i < w->parts; i++) {
         struct part *p = &w->part[i];
         const struct curve_values v = values(w, p->light, p->highlight);
-        p->six = (uint16_t)curved_error(w, p, &v, curve_six(&w->curve, &v) + moved_curved(w, &v));
+        p->six = fx_u16(curved_error(w, p, &v, curve_six(&w->curve, &v) + moved_curved(w, &v)));
     }
     while (w->linear > w->s->budget) {
         struct part *best = 0;
@@ -153,7 +153,7 @@ static int bend_parts(struct work *w)
         if (!best)
             return 0;
         best->bent = 1;
-        w->linear -= (uint32_t)best->linear - best->six;
+        w->linear -= fx_u32(best->linear) - best->six;
     }
     return 1;
 }
@@ -165,7 +165,7 @@ static void take_parts(const struct work *w, struct shade_plan *plan)
     plan->rung = PLAN_LINEAR;
     for (unsigned left = w->parts; left > 0; left--) {
         const struct part *p = &w->part[left - 1];
-        const uint8_t bit = (uint8_t)(1u << p->light);
+        const uint8_t bit = fx_u8(1u << p->light);
         const uint32_t rest = total - (p->bent ? p->six : p->linear);
         if (p->highlight && rest + p->none <= w->s->budget) {
             total = rest + p->none;
@@ -178,7 +178,7 @@ static void take_parts(const struct work *w, struct shade_plan *plan)
             plan->rung = PLAN_SIX;
         }
     }
-    plan->error = (uint16_t)total;
+    plan->error = fx_u16(total);
 }
 
 /* What the weights of perspective-correct Duff are rounded by: less than 2^-14 of N.L and N.H (shade/planned.c). */
@@ -210,17 +210,17 @@ static void take_phong(const struct work *w, struct shade_plan *plan)
         (!w->t->shift && w->curve.sum > w->s->duff_sum)) /* in perspective Phong goes by runs, too */
         plan->rung = PLAN_PHONG;
     for (unsigned i = 0; i < w->parts; i++)
-        *(w->part[i].highlight ? &plan->specular : &plan->diffuse) |= (uint8_t)(1u << w->part[i].light);
+        *(w->part[i].highlight ? &plan->specular : &plan->diffuse) |= fx_u8(1u << w->part[i].light);
     if (plan->rung == PLAN_PHONG)
         plan->undivided = 0, total = 0;
-    plan->error = (uint16_t)total;
+    plan->error = fx_u16(total);
 }
 
 uint32_t plan_shift(const int16_t *const place[3])
 {
-    uint32_t most = (uint16_t)place[0][VERTEX_DEPTH], least = most;
+    uint32_t most = fx_wrap_u16(place[0][VERTEX_DEPTH]), least = most;
     for (int k = 1; k < 3; k++) {
-        const uint32_t depth = (uint16_t)place[k][VERTEX_DEPTH];
+        const uint32_t depth = fx_wrap_u16(place[k][VERTEX_DEPTH]);
         most = depth > most ? depth : most;
         least = depth < least ? depth : least;
     }

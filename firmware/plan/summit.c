@@ -38,8 +38,8 @@ static int is_below(const struct search *s, const uint16_t weight[3], int second
 static void between(const uint16_t u[3], const uint16_t v[3], int t, uint16_t out[3])
 {
     for (int i = 0; i < 2; i++)
-        out[i] = (uint16_t)(u[i] + ((v[i] - u[i]) * t >> 10));
-    out[2] = (uint16_t)(SUMMIT_ONE - out[0] - out[1]);
+        out[i] = fx_u16(u[i] + ((v[i] - u[i]) * t >> 10));
+    out[2] = fx_u16(SUMMIT_ONE - out[0] - out[1]);
 }
 
 /* Where a condition changes from u's side to v's, the other. */
@@ -69,13 +69,13 @@ static __attribute__((noinline)) int32_t cosine_at(const struct search *s, const
 /* P again, from P = `weight`, between Q and R on the edges that meet in corner a; b, c the others. */
 static void refine(const struct search *s, const uint16_t ends[2][3], int a, int b, int c, uint16_t weight[3])
 {
-    const uint16_t others = (uint16_t)(weight[b] + weight[c]);
+    const uint16_t others = fx_u16(weight[b] + weight[c]);
     uint16_t from[3] = {0, 0, 0}, across[3] = {0, 0, 0}, on[3];
     if (!others)
         return;
     from[a] = SUMMIT_ONE;
-    across[b] = (uint16_t)((weight[b] * SUMMIT_ONE + others / 2) / others);
-    across[c] = (uint16_t)(SUMMIT_ONE - across[b]);
+    across[b] = fx_u16((weight[b] * SUMMIT_ONE + others / 2) / others);
+    across[c] = fx_u16(SUMMIT_ONE - across[b]);
     if (is_below(s, from, 0) == is_below(s, across, 0))
         return; /* the curve leaves the triangle between: the straight guess stands */
     solve(s, from, across, 0, on);

@@ -12,20 +12,20 @@ struct texture_spread texture_spread(const struct scene_texture *texture, const 
     struct texture_spread spread = {0, 0, ratio_q15};
     /* Q28 turns to Q8 texels: 2^32 by 2^10 / 2^20 in each */
     spread.texels = (d[0] >> 10 >> (10 - texture->log2_width)) + (d[1] >> 10 >> (10 - texture->log2_height)) + 2;
-    const uint64_t worth = (uint64_t)spread.texels * texture->contrast * lit_q8 >> 16; /* 2^23.1 * 2^16 * 2^16 */
-    spread.worth = worth < 1u << 24 ? (uint32_t)worth : 1u << 24;
+    const uint64_t worth = fx_u64(spread.texels) * texture->contrast * lit_q8 >> 16; /* 2^23.1 * 2^16 * 2^16 */
+    spread.worth = worth < 1u << 24 ? fx_u32(worth) : 1u << 24;
     return spread;
 }
 
 uint32_t texture_affine(int32_t q)
 {
-    const uint32_t square = (uint32_t)(q * q) >> 15; /* q <= 2^15; rounded down, which enlarges the divisor by 2^-15 */
-    return ((uint32_t)q << 16) / (2 * 32768u - square - 1) + 1;
+    const uint32_t square = fx_u32(q * q) >> 15; /* q <= 2^15; rounded down, which enlarges the divisor by 2^-15 */
+    return (fx_u32(q) << 16) / (2 * 32768u - square - 1) + 1;
 }
 
 uint32_t texture_quadratic(int32_t q)
 {
-    const uint32_t x = (uint32_t)q, square = (x * x >> 15) + 1;                     /* Q15 */
+    const uint32_t x = fx_u32(q), square = (x * x >> 15) + 1;                       /* Q15 */
     const uint32_t slope = 6316 + ((x * 3277) >> 15) + ((square * 6554) >> 15) + 3; /* .1927 + .1 q + .2 q^2, Q15 */
     return (square * slope >> 14) + 1;
 }
@@ -33,8 +33,8 @@ uint32_t texture_quadratic(int32_t q)
 /* A part in Q16 of what there is at most 2^24 of, rounded up; saturated. */
 static uint32_t part_of(uint32_t whole, uint32_t part)
 {
-    const uint64_t product = ((uint64_t)whole * part >> 16) + 1;
-    return product < 0xffff ? (uint32_t)product : 0xffff;
+    const uint64_t product = (fx_u64(whole) * part >> 16) + 1;
+    return product < 0xffff ? fx_u32(product) : 0xffff;
 }
 
 uint32_t texture_error(const struct texture_spread *spread, unsigned kind)

@@ -8,8 +8,8 @@ static inline uint32_t texel_of(int32_t q28, unsigned log2, int clamp)
 {
     const int32_t at = q28 >> (28 - log2), last = (1 << log2) - 1;
     if (clamp)
-        return (uint32_t)(at < 0 ? 0 : at > last ? last : at);
-    return (uint32_t)at & (uint32_t)last;
+        return fx_u32(at < 0 ? 0 : at > last ? last : at);
+    return fx_wrap_u32(at) & fx_u32(last);
 }
 
 static void nearest(struct raster *r, int n)
@@ -35,10 +35,10 @@ FX_WRAPS static struct beside beside_of(int32_t q28, unsigned log2, int clamp)
 {
     if (clamp) /* first: -8 turns less half a texel would be 8 */
         q28 = q28 < 0 ? 0 : q28 > 1 << 28 ? 1 << 28 : q28;
-    const int32_t from = (int32_t)((uint32_t)q28 - ((1u << 27) >> log2));
-    const int32_t next = (int32_t)((uint32_t)from + ((1u << 28) >> log2));
+    const int32_t from = fx_wrap_s32(fx_wrap_u32(q28) - ((1u << 27) >> log2));
+    const int32_t next = fx_wrap_s32(fx_wrap_u32(from) + ((1u << 28) >> log2));
     return (struct beside){texel_of(from, log2, clamp), texel_of(next, log2, clamp),
-                           (int32_t)((uint32_t)from << log2 << 4 >> 21)};
+                           fx_s32(fx_wrap_u32(from) << log2 << 4 >> 21)};
 }
 
 /* Of one component, Q22: |x| <= 2^7 times 2^11 twice. */
@@ -65,12 +65,12 @@ static void bilinear(struct raster *r, int n)
                           column.part, row.part) >>
                     13; /* Q9, at most 2^16 */
         const int32_t x = xy[0] >> 1, y = xy[1] >> 1;
-        const uint32_t square = (uint32_t)(x * x) + (uint32_t)(y * y), middle = 64u << 16;
+        const uint32_t square = fx_u32(x * x) + fx_u32(y * y), middle = 64u << 16;
         const uint32_t at = square > middle ? square - middle : 0; /* Q16: below 2^31 */
         const uint16_t *rise = map->rise + (at >> 23);
         r->value[3][i] = (xy[0] * map->steepness + (1 << 15)) >> 16;
         r->value[4][i] = (xy[1] * map->steepness + (1 << 15)) >> 16;
-        r->value[5][i] = rise[0] + (((rise[1] - rise[0]) * (int32_t)(at >> 9 & 0x3fff) + (1 << 13)) >> 14);
+        r->value[5][i] = rise[0] + (((rise[1] - rise[0]) * fx_s32(at >> 9 & 0x3fff) + (1 << 13)) >> 14);
     }
 }
 

@@ -14,7 +14,7 @@ uint32_t bump_grey(struct raster *r, struct edges *e);
 /* A texel's z from its x and y. */
 static inline int32_t bump_rise(const uint16_t *rise, int32_t x, int32_t y)
 {
-    return rise[(uint32_t)(x * x + y * y) >> 7];
+    return rise[fx_u32(x * x + y * y) >> 7];
 }
 
 /* glint_auto's choice for the triangle in hand, of a surface with a map whose plan is made; fills r->input.plan. */

@@ -14,58 +14,59 @@
 enum bump_kind { BUMP_BENT = 1, BUMP_UNIT = 2 };
 
 /* The map's normals under a run: x and y as the texel has them in bits 0-7 and 8-15, z in Q14 above. */
-RUNS_APART FX_WRAPS static void find_normals(struct raster *r, uint32_t i, uint32_t j, int n)
+RUNS_APART static void find_normals(struct raster *r, uint32_t i, uint32_t j, int n)
 {
     const struct surface_bump *map = &r->surface.bump;
     const unsigned columns = 32u - map->log2_width, rows = 32u - map->log2_width - map->log2_height;
-    const uint32_t clear = ~0u << map->log2_width;
+    const uint32_t clear = fx_wrap_shl(~0u, map->log2_width);
     const uint16_t *rise = map->rise;
     const int8_t(*texel)[2] = map->texel;
     uint32_t du, dv, u = spans_start(&r->setup.uv[0].p, i, j, &du, 0), v = spans_start(&r->setup.uv[1].p, i, j, &dv, 0);
     int32_t *out = r->value[3];
-    u <<= 4; /* whole turns are of no account */
-    v <<= 4;
-    du <<= 4;
-    dv <<= 4;
+    u = fx_wrap_shl(u, 4); /* whole turns are of no account */
+    v = fx_wrap_shl(v, 4);
+    du = fx_wrap_shl(du, 4);
+    dv = fx_wrap_shl(dv, 4);
     for (const int32_t *end = out + n; out != end; out++) {
         const int8_t *at = texel[((v >> rows) & clear) | u >> columns];
         const int32_t x = at[0], y = at[1];
-        *out = (int32_t)((uint32_t)bump_rise(rise, x, y) << 16 | (uint32_t)(uint8_t)y << 8 | (uint8_t)x);
-        u += du;
-        v += dv;
+        *out = fx_s32(fx_u32(bump_rise(rise, x, y)) << 16 | fx_u32(fx_wrap_u8(y)) << 8 | fx_wrap_u8(x));
+        fx_wrap_inc(&u, du);
+        fx_wrap_inc(&v, dv);
     }
 }
 
 /* N'.V in Q30, at which `normal` lies in r->value[3] and the sum goes to r->value[where]. A texel's components are
  * below 2^7 and the vector's in Q23, z's Q14 and Q16: below 2^31, as |N'| < 3/2 and |V| <= 7/6. A template. */
-FX_WRAPS static inline __attribute__((always_inline)) void find_dots(int32_t *normal, const struct channel *c,
-                                                                     const struct channel *square, uint32_t i,
-                                                                     uint32_t j, int n, int out, unsigned kind)
+static inline __attribute__((always_inline)) void find_dots(int32_t *normal, const struct channel *c,
+                                                            const struct channel *square, uint32_t i, uint32_t j, int n,
+                                                            int out, unsigned kind)
 {
     const int bent = (kind & BUMP_BENT) != 0;
     uint32_t dx, dy, dz, ds = 0, s = 0, x = spans_start(&c[0].p, i, j, &dx, bent);
     uint32_t y = spans_start(&c[1].p, i, j, &dy, bent), z = spans_start(&c[2].p, i, j, &dz, bent);
-    const uint32_t ax = 2 * c[0].p.a, ay = 2 * c[1].p.a, az = 2 * c[2].p.a, as = 2 * square->p.a;
+    const uint32_t ax = fx_wrap_shl(c[0].p.a, 1), ay = fx_wrap_shl(c[1].p.a, 1), az = fx_wrap_shl(c[2].p.a, 1),
+                   as = fx_wrap_shl(square->p.a, 1);
     if (kind & BUMP_UNIT)
         s = spans_start(&square->p, i, j, &ds, 1);
     for (const int32_t *end = normal + n; normal != end; normal++) {
-        const uint32_t at = (uint32_t)*normal;
-        int32_t dot = (int8_t)at * ((int32_t)x >> 7) + (int8_t)(at >> 8) * ((int32_t)y >> 7) +
-                      (int32_t)(at >> 16) * ((int32_t)z >> 14);
+        const uint32_t at = fx_u32(*normal);
+        int32_t dot = fx_wrap_s8(at) * (fx_wrap_s32(x) >> 7) + fx_wrap_s8(at >> 8) * (fx_wrap_s32(y) >> 7) +
+                      fx_s32(at >> 16) * (fx_wrap_s32(z) >> 14);
         if (kind & BUMP_UNIT) { /* 1 / |V| in Q15: the quotient is below 3/2 again */
             const uint32_t by = spans_length[fx_saturated(s, SPANS_LENGTH_BITS, 28 - SPANS_LENGTH_BITS)];
-            dot = (dot >> 15) * (int32_t)by;
-            s += ds;
-            ds += as;
+            dot = (dot >> 15) * fx_s32(by);
+            fx_wrap_inc(&s, ds);
+            fx_wrap_inc(&ds, as);
         }
         normal[out] = dot;
-        x += dx;
-        y += dy;
-        z += dz;
+        fx_wrap_inc(&x, dx);
+        fx_wrap_inc(&y, dy);
+        fx_wrap_inc(&z, dz);
         if (bent) {
-            dx += ax;
-            dy += ay;
-            dz += az;
+            fx_wrap_inc(&dx, ax);
+            fx_wrap_inc(&dy, ay);
+            fx_wrap_inc(&dz, az);
         }
     }
 }
@@ -86,35 +87,35 @@ CASE(half_bent, TO_HALF, BUMP_BENT)
 CASE(half_unit, TO_HALF, BUMP_UNIT)
 
 /* The pixels of a mask. */
-FX_WRAPS static void write_glossy(struct raster *r, int x, int y, uint32_t mask)
+static void write_glossy(struct raster *r, int x, int y, uint32_t mask)
 {
-    uint8_t *pixel = r->pixels + (uint32_t)(y - r->y0) * r->width + x;
+    uint8_t *pixel = r->pixels + fx_u32(y - r->y0) * r->width + x;
     const unsigned octave = r->surface.power->octave;
-    const int down = 30 - TABLE_BITS - (int)octave; /* of N'.H' in Q30 to steps of the table */
+    const int down = 30 - TABLE_BITS - fx_s32(octave); /* of N'.H' in Q30 to steps of the table */
     const uint32_t foot = (1u << (TABLE_BITS + octave)) - (1u << TABLE_BITS);
     const uint16_t *table = r->surface_table->entry;
     for (const int32_t *value = r->value[0]; mask; mask >>= 1, value++, pixel++)
         if (mask & 1) {
-            const uint32_t h = (uint32_t)(value[RUN] >> down) - foot;
-            const uint32_t sum = table[fx_saturated(h, TABLE_BITS, 0)] + fx_saturated((uint32_t)value[0], 16, 15);
-            *pixel = (uint8_t)fx_saturated(sum, 8, 7);
+            const uint32_t h = fx_wrap_sub(fx_wrap_u32(value[RUN] >> down), foot);
+            const uint32_t sum = table[fx_saturated(h, TABLE_BITS, 0)] + fx_saturated(fx_wrap_u32(value[0]), 16, 15);
+            *pixel = fx_u8(fx_saturated(sum, 8, 7));
         }
 }
 
-FX_WRAPS static void write_matt(struct raster *r, int x, int y, uint32_t mask)
+static void write_matt(struct raster *r, int x, int y, uint32_t mask)
 {
-    uint8_t *pixel = r->pixels + (uint32_t)(y - r->y0) * r->width + x;
+    uint8_t *pixel = r->pixels + fx_u32(y - r->y0) * r->width + x;
     const uint32_t ambient = r->surface.ambient;
     for (const int32_t *value = r->value[0]; mask; mask >>= 1, value++, pixel++)
         if (mask & 1)
-            *pixel = (uint8_t)fx_saturated(ambient + fx_saturated((uint32_t)*value, 16, 15), 8, 7);
+            *pixel = fx_u8(fx_saturated(ambient + fx_saturated(fx_wrap_u32(*value), 16, 15), 8, 7));
 }
 
 static void shade(struct raster *r, int x, int y, int n)
 {
     const struct shade_setup *setup = &r->setup;
     const struct channel *light = setup->bump, *half = setup->bump + BUMP_HALF, *square = setup->bump + BUMP_SQUARE;
-    const uint32_t i = (uint32_t)(x - setup->plane.ox), j = (uint32_t)(y - setup->plane.oy);
+    const uint32_t i = fx_wrap_u32(x - setup->plane.ox), j = fx_wrap_u32(y - setup->plane.oy);
     const int glossy = shade_specular(setup) != 0;
     int32_t *normal = r->value[3];
     find_normals(r, i, j, n);

@@ -43,7 +43,7 @@ static inline __attribute__((always_inline)) void shade_channels(struct raster *
             sum = r->sum[0];
             for (int i = 0; i < n; i++, sum += 3)
                 if (r->value[0][i] > 0)
-                    add(sum, (uint32_t)r->value[0][i] >> 15, s->light[l].diffuse, channels);
+                    add(sum, fx_u32(r->value[0][i]) >> 15, s->light[l].diffuse, channels);
         }
         if (shade_specular(setup) >> l & 1) {
             find_values(r, x, y, n, 2 * l + 1, divide);
@@ -51,7 +51,7 @@ static inline __attribute__((always_inline)) void shade_channels(struct raster *
             if (surface_form(s)) {
                 find_powers(r, n);
                 for (int i = 0; i < n; i++, sum += 3)
-                    add(sum, (uint32_t)r->value[0][i], s->light[l].specular, channels);
+                    add(sum, fx_u32(r->value[0][i]), s->light[l].specular, channels);
                 continue;
             }
             for (int i = 0; i < n; i++, sum += 3) {

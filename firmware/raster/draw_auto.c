@@ -76,7 +76,7 @@ static void choose_tables(struct raster *r)
             error = 0;
         }
     }
-    plan->error = (uint16_t)error;
+    plan->error = fx_u16(error);
 }
 
 /* Bump maps use grey's table alone, and lengths of their own with it. */
@@ -89,7 +89,7 @@ static const struct glint_method *choose_bump(struct raster *r)
     const uint32_t error = with(r, plan->error, r->table_off + lengths);
     r->input.grey_table = r->plan_table && raster_is(r, GLINT_GREY8) && error <= r->surface.plan.budget;
     r->surface_table = r->plan_table;
-    plan->error = r->input.grey_table ? (uint16_t)error : plan->error;
+    plan->error = r->input.grey_table ? fx_u16(error) : plan->error;
     return method;
 }
 

@@ -31,18 +31,18 @@ static void find_unit_dots(struct raster *r, int x, int y, int n, const struct c
         uint32_t size = 1, squared = 0;
         for (int axis = 0; axis < 3; axis++) {
             v[axis] = r->value[axis][i];
-            size |= (uint32_t)(v[axis] ^ v[axis] >> 31);
+            size |= fx_u32(v[axis] ^ v[axis] >> 31);
         }
         const int32_t up = 1 << (fx_clz(size) - 1);
         for (int axis = 0; axis < 3; axis++) {
             v[axis] = v[axis] * up >> 16;
-            squared += (uint32_t)(v[axis] * v[axis]);
+            squared += fx_u32(v[axis] * v[axis]);
             dot += v[axis] * r->value[3 + axis][i];
         }
         if (squared < 1u << 28) /* 0, between opposite corners */
             squared = 1u << 28;
         const unsigned twice = squared < 1u << 30; /* root of squared 4 */
-        const int32_t inverse = (int32_t)(fx_rsqrt_norm(squared << 2 * twice) >> 1);
+        const int32_t inverse = fx_s32(fx_rsqrt_norm(squared << 2 * twice) >> 1);
         r->value[0][i] = fx_mulhi_s32(dot * (1 << twice), inverse) * 8;
     }
 }
@@ -59,7 +59,7 @@ static inline __attribute__((always_inline)) void add_diffuse(struct raster *r, 
     uint32_t *sum = r->sum[0];
     for (int i = 0; i < n; i++, sum += 3)
         if (r->value[0][i] > 0)
-            add(sum, (uint32_t)r->value[0][i] >> 15, r->surface.light[l].diffuse, channels);
+            add(sum, fx_u32(r->value[0][i]) >> 15, r->surface.light[l].diffuse, channels);
 }
 
 /* The run's N'.H' to powers: by the table, or by another form. */
@@ -71,7 +71,7 @@ RUNS_APART static void find_powers(struct raster *r, int n)
         return;
     }
     for (int i = 0; i < n; i++)
-        r->value[0][i] = (int32_t)fx_power(r->surface.power, r->value[0][i]);
+        r->value[0][i] = fx_s32(fx_power(r->surface.power, r->value[0][i]));
 }
 
 static inline __attribute__((always_inline)) void add_highlight(struct raster *r, int n, unsigned l, unsigned channels)
@@ -80,7 +80,7 @@ static inline __attribute__((always_inline)) void add_highlight(struct raster *r
     find_powers(r, n);
     for (int i = 0; i < n; i++, sum += 3)
         if (r->value[0][i])
-            add(sum, (uint32_t)r->value[0][i], r->surface.light[l].specular, channels);
+            add(sum, fx_u32(r->value[0][i]), r->surface.light[l].specular, channels);
 }
 
 /* A template: `channels` and `normalised` are constant. */

@@ -9,7 +9,7 @@ static void shade_run(struct raster *r, int x, int y, int n)
     for (unsigned c = 0; c < raster_channels(r); c++) {
         plane_values(&r->setup.plane, &r->setup.channel[c], x, y, n, r->value[0]);
         for (int i = 0; i < n; i++)
-            r->sum[i][c] = r->value[0][i] > 0 ? (uint32_t)r->value[0][i] >> down : 0;
+            r->sum[i][c] = r->value[0][i] > 0 ? fx_u32(r->value[0][i]) >> down : 0;
     }
 }
 

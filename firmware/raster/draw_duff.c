@@ -13,16 +13,15 @@ static void divide_by_length(struct raster *r, int n)
 /* The quotient of what passes `reach`, up to +-2 in Q30. */
 FX_COLD static int32_t overshoot(int32_t p, struct perspective_divisor by)
 {
-    int64_t quotient = ((int64_t)p * by.half >> 30) * (INT64_C(1) << by.up); /* |p| < 2^31, half <= 2^30, up <= 9 */
-    return quotient > INT32_MAX ? INT32_MAX : quotient < -INT32_MAX ? -INT32_MAX : (int32_t)quotient;
+    int64_t quotient = (fx_s64(p) * by.half >> 30) * (INT64_C(1) << by.up); /* |p| < 2^31, half <= 2^30, up <= 9 */
+    return quotient > INT32_MAX ? INT32_MAX : quotient < -INT32_MAX ? -INT32_MAX : fx_s32(quotient);
 }
 
 /* A dot product over the normal's length. Of linear numerators it is at most 1 and roundings, but a quadratic through
  * the samples of a near light can pass the length by far. */
-FX_WRAPS static int32_t over_length(int32_t p, struct perspective_divisor by)
+static int32_t over_length(int32_t p, struct perspective_divisor by)
 {
-    const uint32_t reach = (uint32_t)INT32_MAX >> by.up;
-    if ((uint32_t)p + reach > 2 * reach)
+    if (!fx_within(p, fx_u32(INT32_MAX) >> by.up))
         return overshoot(p, by);
     return perspective_divide(p, by);
 }

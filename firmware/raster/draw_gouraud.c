@@ -9,7 +9,7 @@ static void shade_run(struct raster *r, int x, int y, int n)
     for (unsigned c = 0; c < raster_channels(r); c++) {
         plane_values(&r->setup.plane, &r->setup.channel[c], x, y, n, r->value[0]);
         for (int i = 0; i < n; i++) {
-            uint32_t value = (uint32_t)r->value[0][i];
+            uint32_t value = fx_wrap_u32(r->value[0][i]);
             r->sum[i][c] = value >= 0xff800000u ? 0 : value >> 9;
         }
     }

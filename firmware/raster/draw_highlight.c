@@ -19,10 +19,10 @@ static int32_t brightness(const struct raster *r, const struct part_corner *corn
     static const uint8_t share[3] = {77, 150, 29};
     uint32_t sum = 0;
     if (raster_channels(r) == 1)
-        return (int32_t)((corner->colour[0] << 8) / r->palette.top[0]);
+        return fx_s32((corner->colour[0] << 8) / r->palette.top[0]);
     for (unsigned c = 0; c < 3; c++) /* colours are at most top * 2^8: below 2^24 */
-        sum += share[c] * ((uint32_t)corner->colour[c] << 8) / r->palette.top[c];
-    return (int32_t)(sum >> 8);
+        sum += share[c] * (fx_u32(corner->colour[c]) << 8) / r->palette.top[c];
+    return fx_s32(sum >> 8);
 }
 
 /* Whether the true colour in the middle of a and b differs from the mean by more than the threshold, in parts of it. */
@@ -118,8 +118,8 @@ find_summit(const struct raster *r, const struct part_corner whole[3], struct pa
         enum summit_place place = lights >> l & 1 ? summit_find(object, l, point, weight, &across) : SUMMIT_NONE;
         if (place == SUMMIT_NONE)
             continue;
-        corner.weight[0] = (uint16_t)(weight[0] * (PART_ONE / SUMMIT_ONE));
-        corner.weight[1] = (uint16_t)(weight[1] * (PART_ONE / SUMMIT_ONE));
+        corner.weight[0] = fx_u16(weight[0] * (PART_ONE / SUMMIT_ONE));
+        corner.weight[1] = fx_u16(weight[1] * (PART_ONE / SUMMIT_ONE));
         part_shade(&r->input, &corner);
         if (found != SUMMIT_NONE && brightness(r, &corner) <= brightness(r, peak))
             continue;

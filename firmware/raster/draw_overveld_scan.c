@@ -41,10 +41,10 @@ static void find_ends(struct raster *r, int32_t y)
         const int32_t rise = side == RIGHT ? to - from : from - to, way = side == RIGHT ? y - from : from - y;
         if (rise == 0 || way < 0 || way > rise)
             continue;
-        const unsigned up = fx_clz((uint32_t)rise);
+        const unsigned up = fx_clz(fx_u32(rise));
         /* way / rise in Q31, halved */
-        const uint32_t t = fx_mulhi_u32((uint32_t)way << up, fx_recip_norm((uint32_t)rise << up)) >> 1;
-        cross_edge(r, &r->setup.rows.end[side], e, (q30_t)t);
+        const uint32_t t = fx_mulhi_u32(fx_u32(way) << up, fx_recip_norm(fx_u32(rise) << up)) >> 1;
+        cross_edge(r, &r->setup.rows.end[side], e, fx_s32(t));
     }
 }
 
@@ -70,7 +70,7 @@ static void start_row(struct raster *r, int y)
     find_ends(r, 16 * y + 8 - 8 * r->height);
     bend_row(rows);
     const int32_t width = rows->end[RIGHT].x - rows->end[LEFT].x; /* 2^-8 sub-pixels, at most 2^23 */
-    rows->width = width > 0 ? (uint32_t)width : 1;
+    rows->width = width > 0 ? fx_u32(width) : 1;
     rows->up = fx_clz(rows->width);
     rows->inverse = fx_recip_norm(rows->width << rows->up);
 }
@@ -83,8 +83,8 @@ static void shade_run(struct raster *r, int x, int y, int n)
     const struct shade_row_end *left = &rows->end[LEFT], *right = &rows->end[RIGHT];
     for (int i = 0; i < n; i++) {
         const int32_t at = (16 * (x + i) + 8 - 8 * r->width) * 256 - left->x;
-        const uint32_t part = at < 0 ? 0 : (uint32_t)at > rows->width ? rows->width : (uint32_t)at;
-        const q30_t s = (q30_t)(fx_mulhi_u32(part << rows->up, rows->inverse) >> 1);
+        const uint32_t part = at < 0 ? 0 : fx_u32(at) > rows->width ? rows->width : fx_u32(at);
+        const q30_t s = fx_s32(fx_mulhi_u32(part << rows->up, rows->inverse) >> 1);
         const q30_t bow = times_q30(s, Q30(1, 1) - s);
         for (int c = 0; c < 3; c++) /* Q28: at most (7/6)^2 */
             r->value[c][i] =

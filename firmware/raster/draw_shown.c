@@ -27,7 +27,7 @@ static void shade_shown(struct shade_setup *setup, const struct shade_input *in)
 {
     const struct surface *s = in->surface;
     const uint8_t *colour = colours[in->plan.level[0]];
-    const uint8_t grey[3] = {(uint8_t)((77 * colour[0] + 150 * colour[1] + 29 * colour[2]) >> 8), 0, 0};
+    const uint8_t grey[3] = {fx_u8((77 * colour[0] + 150 * colour[1] + 29 * colour[2]) >> 8), 0, 0};
     const uint32_t by = brightness(in);
     for (unsigned c = 0; c < surface_channels(s); c++) /* 2^23 * 2^8 below 2^31, twice */
         setup->flat[c] = (s->top[c] / 255 * (surface_channels(s) == 1 ? grey : colour)[c] >> 8) * by;

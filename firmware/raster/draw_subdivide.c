@@ -29,7 +29,7 @@ static unsigned depth_of(const struct raster *r, const struct part_corner corner
     uint32_t area = r->setup.plane.det; /* 512 a pixel: sub-pixels' squares, twice */
     int32_t height = height_of(r, corner);
     unsigned depth = 0;
-    for (; depth < PART_DEPTH && area > (uint32_t)r->split.area << 9 && height >= SPLIT_LEAST; depth++) {
+    for (; depth < PART_DEPTH && area > fx_u32(r->split.area) << 9 && height >= SPLIT_LEAST; depth++) {
         area >>= 2;
         height >>= 1;
     }
@@ -50,7 +50,7 @@ static int errs_at_centre(const struct raster *r, const struct part_corner corne
 {
     struct part_corner centre;
     for (int i = 0; i < 2; i++) /* three of at most 2^15; a third, rounded down, leaves the rest at least 0 */
-        centre.weight[i] = (uint16_t)(((uint32_t)corner[0].weight[i] + corner[1].weight[i] + corner[2].weight[i]) / 3);
+        centre.weight[i] = fx_u16((fx_u32(corner[0].weight[i]) + corner[1].weight[i] + corner[2].weight[i]) / 3);
     part_shade(&r->input, &centre);
     for (unsigned c = 0; c < raster_channels(r); c++) {
         int32_t estimate = 0;
@@ -76,7 +76,7 @@ static uint32_t split(struct raster *r, struct edges *e, unsigned depth, int cen
         const struct part_corner *const corner[3] = {&part[0], &part[1], &part[2]};
         int more = 0;
         if (parts_shows(r, corner)) {
-            more = (unsigned)(top - bottom) < depth;
+            more = fx_u32(top - bottom) < depth;
             if (more || centre)
                 find_middles(&r->input, part);
             if (centre)

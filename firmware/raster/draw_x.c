@@ -6,32 +6,31 @@
 
 /* Grey under one light: both dot products stepped, and summed at once. A template; the bits are those of dots_shade().
  */
-FX_WRAPS static inline __attribute__((always_inline)) void shade_grey(struct raster *r, int x, int y, int n,
-                                                                      int highlight)
+static inline __attribute__((always_inline)) void shade_grey(struct raster *r, int x, int y, int n, int highlight)
 {
     const struct surface *s = &r->surface;
     const struct shade_setup *setup = &r->setup;
     const struct polynomial *pl = &setup->channel[0].p, *ph = &setup->channel[1].p;
-    const uint32_t i = (uint32_t)(x - setup->plane.ox), j = (uint32_t)(y - setup->plane.oy);
-    const uint32_t al = 2 * pl->a, ah = 2 * ph->a, base = s->base[0];
+    const uint32_t i = fx_wrap_u32(x - setup->plane.ox), j = fx_wrap_u32(y - setup->plane.oy);
+    const uint32_t al = fx_wrap_shl(pl->a, 1), ah = fx_wrap_shl(ph->a, 1), base = s->base[0];
     uint32_t dl, dh = 0, vl = spans_start(pl, i, j, &dl, 1), vh = 0, *sum = r->sum[0];
     const uint16_t diffuse = s->light[0].diffuse[0], specular = s->light[0].specular[0];
     if (highlight)
         vh = spans_start(ph, i, j, &dh, 1);
     for (const uint32_t *end = sum + 3 * n; sum != end; sum += 3) {
         uint32_t value = base;
-        if ((int32_t)vl > 0)
+        if (fx_wrap_s32(vl) > 0)
             value += surface_diffuse(vl >> 15, diffuse);
         if (highlight) {
-            uint32_t power = fx_power(s->power, (q30_t)vh);
+            uint32_t power = fx_power(s->power, fx_wrap_s32(vh));
             if (power)
                 value += surface_diffuse(power, specular);
-            vh += dh;
-            dh += ah;
+            fx_wrap_inc(&vh, dh);
+            fx_wrap_inc(&dh, ah);
         }
         *sum = value;
-        vl += dl;
-        dl += al;
+        fx_wrap_inc(&vl, dl);
+        fx_wrap_inc(&dl, al);
     }
 }
 
@@ -64,13 +63,13 @@ RUNS_APART static void table_write(struct raster *r, int x, int y, uint32_t mask
 {
     const int octave = r->surface.power->octave;
     const int32_t half = 1 << 23, foot = (1 << 30) - (1 << (30 - octave)), *value = r->value[0];
-    uint16_t *pixel = (uint16_t *)(void *)(r->pixels + (uint32_t)(y - r->y0) * r->stride) + x;
+    uint16_t *pixel = (uint16_t *)(void *)(r->pixels + fx_u32(y - r->y0) * r->stride) + x;
     for (; mask; mask >>= 1, value++, pixel++) {
         if (!(mask & 1))
             continue;
         const int32_t h = value[RUN] < foot ? 0 : (value[RUN] - foot) >> (23 - octave);
-        *pixel = r->surface_table->entry[fx_saturated((uint32_t)h, 7, 0) * TABLE_DIFFUSE +
-                                         fx_saturated((uint32_t)(value[0] + half), 6, 24)];
+        *pixel = r->surface_table->entry[fx_saturated(fx_u32(h), 7, 0) * TABLE_DIFFUSE +
+                                         fx_saturated(fx_wrap_u32(value[0] + half), 6, 24)];
     }
 }
 
@@ -95,7 +94,7 @@ RUNS_APART static void shade_steps(struct raster *r, int x, int y, int n)
         plane_values(&setup->plane, &setup->channel[0], x, y, n, r->value[0]);
         for (int i = 0; i < n; i++)
             if (r->value[0][i] > 0)
-                r->sum[i][0] += (uint32_t)r->value[0][i] >> 7;
+                r->sum[i][0] += fx_u32(r->value[0][i]) >> 7;
     }
     if (shade_specular(setup)) {
         plane_values(&setup->plane, &setup->channel[1], x, y, n, r->value[0]);

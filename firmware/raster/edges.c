@@ -47,7 +47,7 @@ int edges_setup(struct edges *e, const int16_t *const p[3], unsigned width, unsi
         c = b;
         b = spare;
     }
-    const int32_t hw = 8 * (int32_t)width - 8, hh = 8 * (int32_t)height - 8; /* centres at 16 i */
+    const int32_t hw = 8 * fx_s32(width) - 8, hh = 8 * fx_s32(height) - 8; /* centres at 16 i */
     const int32_t ax = a[0] + hw, ay = a[1] + hh, bx = b[0] + hw, by = b[1] + hh, cx = c[0] + hw, cy = c[1] + hh;
     const int right_turns = by < cy;
     const int32_t first = (ay + 15) >> 4, middle = ((right_turns ? by : cy) + 15) >> 4;
@@ -61,7 +61,7 @@ int edges_setup(struct edges *e, const int16_t *const p[3], unsigned width, unsi
     e->last = last;
     e->lower_is_left = !right_turns;
     e->turned = 0;
-    const int32_t w = 16 * (int32_t)width - 16; /* the last column's centre */
+    const int32_t w = 16 * fx_s32(width) - 16; /* the last column's centre */
     e->cut = ax < 0 || bx < 0 || cx < 0 || ax > w || bx > w || cx > w;
     e->lower_x = right_turns ? bx : cx;
     e->lower_y = right_turns ? by : cy;
@@ -77,21 +77,21 @@ int edges_setup(struct edges *e, const int16_t *const p[3], unsigned width, unsi
 /* One row further. What is left over is kept less the divisor, in [-den, 0): its sign tells. */
 FX_WRAPS static inline void step(uint32_t *column, uint32_t *rest, const struct edge *e)
 {
-    fx_step(column, (uint32_t)e->column_step);
-    fx_step(rest, (uint32_t)e->rest_step);
-    if ((int32_t)*rest >= 0) {
-        *rest -= (uint32_t)e->den;
+    fx_step(column, fx_wrap_u32(e->column_step));
+    fx_step(rest, fx_u32(e->rest_step));
+    if (fx_wrap_s32(*rest) >= 0) {
+        *rest -= fx_u32(e->den);
         ++*column;
     }
 }
 
 /* Spans of the rows to `stop`, in which neither side turns. A side is stepped once past its end, which nothing reads.
  */
-FX_WRAPS static inline void rows(struct edges *e, struct span *out, int32_t stop)
+static inline void rows(struct edges *e, struct span *out, int32_t stop)
 {
     const struct edge left = e->left, right = e->right;
-    uint32_t x0 = (uint32_t)left.column, rest0 = (uint32_t)(left.rest - left.den);
-    uint32_t x1 = (uint32_t)right.column, rest1 = (uint32_t)(right.rest - right.den);
+    uint32_t x0 = fx_wrap_u32(left.column), rest0 = fx_wrap_u32(left.rest - left.den);
+    uint32_t x1 = fx_wrap_u32(right.column), rest1 = fx_wrap_u32(right.rest - right.den);
     struct span *end = out + (stop - e->row);
 #if defined(__ARM_ARCH_7M__) || defined(__ARM_ARCH_7EM__)
     /* As below; what is left over carries into the column when it passes 0. 11 or 12 instructions a row, compiled 17.
@@ -114,16 +114,16 @@ FX_WRAPS static inline void rows(struct edges *e, struct span *out, int32_t stop
                      : "cc", "memory");
 #else
     do {
-        out->x0 = (int16_t)x0;
-        out->x1 = (int16_t)x1;
+        out->x0 = fx_s16(fx_wrap_s32(x0));
+        out->x1 = fx_s16(fx_wrap_s32(x1));
         step(&x0, &rest0, &left);
         step(&x1, &rest1, &right);
     } while (++out < end);
 #endif
-    e->left.column = (int32_t)x0;
-    e->left.rest = (int32_t)rest0 + left.den;
-    e->right.column = (int32_t)x1;
-    e->right.rest = (int32_t)rest1 + right.den;
+    e->left.column = fx_wrap_s32(x0);
+    e->left.rest = fx_wrap_s32(rest0) + left.den;
+    e->right.column = fx_wrap_s32(x1);
+    e->right.rest = fx_wrap_s32(rest1) + right.den;
     e->row = stop;
 }
 
@@ -143,7 +143,7 @@ int edges_spans(struct edges *e, int width, struct span *out, int most)
     if (e->cut)
         for (int32_t i = 0; i < count; i++) {
             out[i].x0 = out[i].x0 < 0 ? 0 : out[i].x0;
-            out[i].x1 = out[i].x1 > width ? (int16_t)width : out[i].x1;
+            out[i].x1 = out[i].x1 > width ? fx_s16(width) : out[i].x1;
         }
     return count;
 }

@@ -34,7 +34,7 @@ uint32_t effects_draw(struct raster *r, struct edges *e, runs_shade *shade)
                 const uint32_t mask = raster_visible(r, x, y, n);
                 if (!mask)
                     continue;
-                drawn += (uint32_t)n;
+                drawn += fx_u32(n);
                 for (uint32_t hidden = ~mask & ((1u << n) - 1); hidden; hidden &= hidden - 1)
                     drawn--;
                 for (int i = 0; r->gloss != r->sum[0] && i < 3 * n; i++)
@@ -69,7 +69,7 @@ static __attribute__((noinline)) int choose_kind(struct raster *r, const struct 
     if (kind == GLINT_TEXTURE_DEFAULT && r->surface.plan.power) { /* auto */
         uint32_t error;
         kind = texture_choose(texture->head, &spread, PLAN_TEXTURE_SHARE(r->budget), &error);
-        in->plan.error = (uint16_t)(in->plan.error + error);
+        in->plan.error = fx_u16(in->plan.error + error);
     }
     if (kind == GLINT_TEXTURE_SPLIT && texture_error(&spread, GLINT_TEXTURE_QUADRATIC) <= PLAN_TEXTURE_SHARE(r->budget))
         kind = GLINT_TEXTURE_QUADRATIC;

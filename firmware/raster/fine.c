@@ -10,16 +10,16 @@
  */
 static int32_t divide(int64_t n, int32_t d, int32_t *rest)
 {
-    int down = 14 - (int)fx_clz((uint32_t)d);
+    int down = 14 - fx_s32(fx_clz(fx_u32(d)));
     int32_t q, unused;
     down = down < 0 ? 0 : down;
-    fx_divmod_floor((int32_t)(n >> down), d >> down, &q, &unused); /* |n| >> down <= 2^12 * (2^18 + 1) */
-    int64_t left = n - (int64_t)q * d;
+    fx_divmod_floor(fx_s32(n >> down), d >> down, &q, &unused); /* |n| >> down <= 2^12 * (2^18 + 1) */
+    int64_t left = n - fx_s64(q) * d;
     for (; left < 0; left += d)
         q--;
     for (; left >= d; left -= d)
         q++;
-    *rest = (int32_t)left;
+    *rest = fx_s32(left);
     return q;
 }
 
@@ -31,7 +31,7 @@ static int32_t divide(int64_t n, int32_t d, int32_t *rest)
  */
 static void edge_setup(struct edge *e, int32_t x, int32_t y, int32_t dx, int32_t dy, int32_t centre)
 {
-    int64_t crossing = ((int64_t)x * dy + (int64_t)dx * (centre - y) - 1) >> FINE_BITS;
+    int64_t crossing = (fx_s64(x) * dy + fx_s64(dx) * (centre - y) - 1) >> FINE_BITS;
     e->column = divide(crossing, dy, &e->rest) + 1;
     fx_divmod_floor(dx, dy, &e->column_step, &e->rest_step);
     e->den = dy; /* rest + rest_step < 2^31 */
@@ -51,7 +51,7 @@ static void side(struct edge *e, const struct part_place *from, const struct par
 int fine_setup(struct edges *e, const struct part_place p[3], unsigned width, unsigned height, int32_t from, int32_t to)
 {
     /* Centres at whole pixels. */
-    const int32_t hw = (8 * (int32_t)width - 8) * (FINE_ONE / 16), hh = (8 * (int32_t)height - 8) * (FINE_ONE / 16);
+    const int32_t hw = (8 * fx_s32(width) - 8) * (FINE_ONE / 16), hh = (8 * fx_s32(height) - 8) * (FINE_ONE / 16);
     int top = p[1].y < p[0].y ? 1 : 0;
     top = p[2].y < p[top].y ? 2 : top;
     struct part_place corner[3]; /* the top one, and clockwise on; at most 2^29 + 2^29 */
@@ -70,7 +70,7 @@ int fine_setup(struct edges *e, const struct part_place p[3], unsigned width, un
     last = upper && middle < last ? middle : last;
     side(&e->left, upper || right_turns ? a : c, upper || right_turns ? c : b, row);
     side(&e->right, upper || !right_turns ? a : b, upper || !right_turns ? b : c, row);
-    const int32_t w = ((int32_t)width - 1) * FINE_ONE;
+    const int32_t w = (fx_s32(width) - 1) * FINE_ONE;
     e->cut = a->x < 0 || b->x < 0 || c->x < 0 || a->x > w || b->x > w || c->x > w;
     e->row = row;
     e->middle = e->last = last;

@@ -14,7 +14,7 @@
 static inline int32_t fine_row(int32_t y, unsigned height)
 {
     /* (8 height - 8) / 16 rows lie above the picture's centre: at most 2^29 more */
-    return (y + (8 * (int32_t)height - 8) * (1 << 15) + (1 << 19) - 1) >> 19;
+    return (y + (8 * fx_s32(height) - 8) * (1 << 15) + (1 << 19) - 1) >> 19;
 }
 
 /*

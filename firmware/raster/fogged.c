@@ -10,17 +10,17 @@ FX_COLD void fogged_begin(struct raster *r, const struct scene_header *scene, in
     if (!r->fog.kind)
         return;
     /* In Q16 of full intensity a budget in Q8 of 1/255 is the same number, within .4 %. */
-    r->fog_allowed = (uint16_t)(plans ? r->budget / 4 : FOGGED_ALLOWED);
+    r->fog_allowed = fx_u16(plans ? r->budget / 4 : FOGGED_ALLOWED);
     r->fog_planned = plans != 0;
     surface_colour(&r->palette, scene->fog.colour, colour);
     for (int c = 0; c < 3; c++)
-        r->fog_colour[c] = (uint16_t)(colour[c] >> 7); /* at most 255 * 2^8 */
+        r->fog_colour[c] = fx_u16(colour[c] >> 7); /* at most 255 * 2^8 */
 }
 
 static void find_depths(const struct shade_input *in, int32_t depth[3])
 {
     for (int k = 0; k < 3; k++)
-        depth[k] = (uint16_t)in->place[k][VERTEX_DEPTH];
+        depth[k] = fx_wrap_u16(in->place[k][VERTEX_DEPTH]);
 }
 
 unsigned fogged_plan(struct raster *r)
@@ -49,19 +49,19 @@ static unsigned faded(const struct fog_plan *plan)
 
 uint16_t fogged_budget(const struct raster *r)
 {
-    const uint32_t whole = r->plan_budget, spent = r->fog_plan.error + (uint32_t)r->fog_allowed;
+    const uint32_t whole = r->plan_budget, spent = r->fog_plan.error + fx_u32(r->fog_allowed);
     if (!r->fog.kind || r->fog_plan.kind == FOGGED_NOT)
         return r->plan_budget;
     const uint32_t budget = whole > spent ? (whole - spent) << faded(&r->fog_plan) : 0; /* below 2^32 */
-    return (uint16_t)(budget < 65535 ? budget : 65535);
+    return fx_u16(budget < 65535 ? budget : 65535);
 }
 
 /* By pixel, unless runs do. */
 static void set_runs(struct raster *r)
 {
     struct fog_plan *plan = &r->fog_plan;
-    const int32_t step = (int32_t)r->setup.depth.p.d;
-    const uint32_t size = (uint32_t)(step < 0 ? -step : step);
+    const int32_t step = fx_wrap_s32(r->setup.depth.p.d);
+    const uint32_t size = fx_u32(step < 0 ? -step : step);
     int32_t depth[3];
     if (r->setup.depth.exact || size >> 27)
         return;
@@ -81,8 +81,8 @@ void fogged_setup(struct raster *r, const struct glint_method *method)
     else if (plan->kind == FOGGED_BY_PIXEL)
         set_runs(r);
     if (r->fog_planned) {
-        const uint32_t error = (uint32_t)(r->input.plan.error >> faded(plan)) + plan->error;
-        r->input.plan.error = (uint16_t)(error < 65535 ? error : 65535);
+        const uint32_t error = fx_u32(r->input.plan.error >> faded(plan)) + plan->error;
+        r->input.plan.error = fx_u16(error < 65535 ? error : 65535);
     }
     /* Parts of a triangle have loops of their own too. */
     if (!method->run && plan->kind == FOGGED_EVENLY && plan->part[0] == 0)
@@ -98,17 +98,17 @@ static inline __attribute__((always_inline)) uint32_t mixed(uint32_t sum, uint32
                                                             int32_t part_q14)
 {
     const uint32_t own = sum < top ? sum : top;
-    return (uint32_t)((int32_t)own + ((fog_q8 - (int32_t)(own >> 7)) * part_q14 >> 7));
+    return fx_u32(fx_s32(own) + ((fog_q8 - fx_s32(own >> 7)) * part_q14 >> 7));
 }
 
 /* The part stepped, Q30: interpolated it may pass its ends by a rounding. A template: `channels` is constant. */
-FX_WRAPS static inline __attribute__((always_inline)) void mix_steps(struct raster *r, uint32_t value, uint32_t step,
-                                                                     int n, unsigned channels)
+static inline __attribute__((always_inline)) void mix_steps(struct raster *r, uint32_t value, uint32_t step, int n,
+                                                            unsigned channels)
 {
     const uint32_t top[3] = {r->surface.top[0], r->surface.top[1], r->surface.top[2]};
     const int32_t fog[3] = {r->fog_colour[0], r->fog_colour[1], r->fog_colour[2]};
-    for (uint32_t *sum = r->sum[0], *end = sum + 3 * n; sum != end; sum += 3, value += step) {
-        int32_t part = (int32_t)value >> 16;
+    for (uint32_t *sum = r->sum[0], *end = sum + 3 * n; sum != end; sum += 3, fx_wrap_inc(&value, step)) {
+        int32_t part = fx_wrap_s32(value) >> 16;
         part = part < 0 ? 0 : part;
         part = part > ONE_Q14 ? ONE_Q14 : part;
         for (unsigned c = 0; c < channels; c++)
@@ -139,7 +139,7 @@ static void mix_each(struct raster *r, int x, int y, int n)
     } else {
         plane_values(&r->setup.plane, &r->setup.depth, x, y, n, part);
         for (int i = 0; i < n; i++)
-            part[i] = (int32_t)part_q14(r, (uint32_t)part[i]);
+            part[i] = fx_s32(part_q14(r, fx_wrap_u32(part[i])));
     }
     for (int i = 0; i < n; i++)
         for (unsigned c = 0; c < raster_channels(r); c++)
@@ -149,7 +149,7 @@ static void mix_each(struct raster *r, int x, int y, int n)
 /* A linear channel's value, with column and row from its origin. */
 FX_WRAPS static uint32_t value_at(const struct raster *r, const struct polynomial *p, int x, int y)
 {
-    return p->f + p->e * (uint32_t)(y - r->setup.plane.oy) + p->d * (uint32_t)(x - r->setup.plane.ox);
+    return p->f + p->e * fx_wrap_u32(y - r->setup.plane.oy) + p->d * fx_wrap_u32(x - r->setup.plane.ox);
 }
 
 static void mix_run(struct raster *r, int x, int y, int n)
@@ -158,10 +158,10 @@ static void mix_run(struct raster *r, int x, int y, int n)
                                          357913941, 306783378, 1 << 28,   238609294, 214748365, 195225786,
                                          178956971, 165191050, 153391689, 143165577}; /* 2^31 / i */
     const struct polynomial *p = &r->setup.depth.p;
-    const int32_t from = (int32_t)fog_part(&r->fog, value_at(r, p, x, y)),
-                  to = n > 1 ? (int32_t)fog_part(&r->fog, value_at(r, p, x + n - 1, y)) : from;
+    const int32_t from = fx_s32(fog_part(&r->fog, value_at(r, p, x, y))),
+                  to = n > 1 ? fx_s32(fog_part(&r->fog, value_at(r, p, x + n - 1, y))) : from;
     const int32_t step = fx_mulhi_s32((to - from) * (1 << 14), inverse[n - 1]) * 2; /* Q30: less than 1 */
-    mix_between(r, (uint32_t)from << 14, (uint32_t)step, n);
+    mix_between(r, fx_u32(from) << 14, fx_wrap_u32(step), n);
 }
 
 void fogged_run(struct raster *r, int x, int y, int n)
@@ -170,7 +170,7 @@ void fogged_run(struct raster *r, int x, int y, int n)
     if (plan->kind == FOGGED_BY_RUN)
         mix_run(r, x, y, n);
     else if (plan->kind == FOGGED_EVENLY)
-        mix_between(r, (uint32_t)plan->part[0] << 16, 0, n);
+        mix_between(r, fx_u32(plan->part[0]) << 16, 0, n);
     else if (plan->kind == FOGGED_LINEARLY && !r->setup.fog.exact)
         mix_between(r, value_at(r, &r->setup.fog.p, x, y), r->setup.fog.p.d, n);
     else
@@ -186,7 +186,7 @@ static void nothing(struct shade_setup *setup, const struct shade_input *in)
 static uint32_t draw_fog(struct raster *r, struct edges *e)
 {
     for (int c = 0; c < 3; c++)
-        r->setup.flat[c] = (uint32_t)r->fog_colour[c] << 7;
+        r->setup.flat[c] = fx_u32(r->fog_colour[c]) << 7;
     return glint_flat.draw(r, e);
 }
 

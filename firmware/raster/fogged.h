@@ -20,8 +20,8 @@ static inline unsigned fogged_choose(struct raster *r)
     const struct shade_input *in = &r->input;
     const uint16_t clear = r->fog.clear;
     r->effects = r->surface_effects;
-    if (!in->no_plan && (uint16_t)in->place[0][VERTEX_DEPTH] >= clear &&
-        (uint16_t)in->place[1][VERTEX_DEPTH] >= clear && (uint16_t)in->place[2][VERTEX_DEPTH] >= clear) {
+    if (!in->no_plan && fx_wrap_u16(in->place[0][VERTEX_DEPTH]) >= clear &&
+        fx_wrap_u16(in->place[1][VERTEX_DEPTH]) >= clear && fx_wrap_u16(in->place[2][VERTEX_DEPTH]) >= clear) {
         r->surface.fold = r->effects ? 0 : r->fold;
         return r->fog_plan.kind = FOGGED_NOT;
     }

@@ -19,7 +19,7 @@ static inline __attribute__((always_inline)) void keep(struct raster *r, int i, 
 static void normalise_one(struct raster *r, int i)
 {
     int32_t x = r->value[0][i], y = r->value[1][i], z = r->value[2][i];
-    uint32_t size = (uint32_t)((x ^ x >> 31) | (y ^ y >> 31) | (z ^ z >> 31)); /* of the largest, within a bit */
+    uint32_t size = fx_u32((x ^ x >> 31) | (y ^ y >> 31) | (z ^ z >> 31)); /* of the largest, within a bit */
     if (size < SHORTEST) {
         r->value[0][i] = r->value[1][i] = r->value[2][i] = 0;
         return;
@@ -28,7 +28,7 @@ static void normalise_one(struct raster *r, int i)
     x = x * up >> 16;
     y = y * up >> 16;
     z = z * up >> 16; /* within [-2^15, 2^15): each square at most 2^30, their sum at least 2^28 */
-    keep(r, i, x, y, z, (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z));
+    keep(r, i, x, y, z, fx_u32(x * x) + fx_u32(y * y) + fx_u32(z * z));
 }
 
 static void normalise_any(struct raster *r, int n)
@@ -43,7 +43,7 @@ static void normalise(struct raster *r, int n)
 {
     for (int i = 0; i < n; i++) {
         int32_t x = r->value[0][i] >> 15, y = r->value[1][i] >> 15, z = r->value[2][i] >> 15; /* Q15 */
-        uint32_t squared = (uint32_t)(x * x) + (uint32_t)(y * y) + (uint32_t)(z * z);         /* Q30, below 2^31 */
+        uint32_t squared = fx_u32(x * x) + fx_u32(y * y) + fx_u32(z * z);                     /* Q30, below 2^31 */
         if (squared < 1u << 18)
             normalise_one(r, i);
         else
@@ -64,7 +64,7 @@ static inline __attribute__((always_inline)) void add_diffuse(struct raster *r, 
     const q30_t diffuse = dot(r, i, towards);
     if (diffuse > 0)
         for (unsigned c = 0; c < surface_channels(s); c++)
-            r->sum[i][c] += surface_diffuse((uint32_t)diffuse >> 15, s->light[l].diffuse[c]);
+            r->sum[i][c] += surface_diffuse(fx_u32(diffuse) >> 15, s->light[l].diffuse[c]);
 }
 
 /* `formed`: by another form of the power than the table. */
@@ -74,7 +74,7 @@ static inline __attribute__((always_inline)) void add_highlight(struct raster *r
     const struct surface *s = &r->surface;
     const uint32_t power = formed ? surface_power(s, highlight) : fx_power(s->power, highlight);
     for (unsigned c = 0; c < surface_channels(s); c++)
-        raster_gloss(r)[3 * i + (int)c] += surface_diffuse(power, s->light[l].specular[c]);
+        raster_gloss(r)[3 * i + fx_s32(c)] += surface_diffuse(power, s->light[l].specular[c]);
 }
 
 /* By a W of their own: the depth's is exact to a part of the picture's nearest depth, which is not enough of a triangle
@@ -83,7 +83,7 @@ static void find_divisors(struct raster *r, int x, int y, int n)
 {
     plane_values(&r->setup.plane, &r->setup.channel[SHADE_WEIGHT], x, y, n, r->value[0]);
     for (int i = 0; i < n; i++)
-        r->divisor[i] = perspective_divisor_of((uint32_t)(r->value[0][i] > 1 << 10 ? r->value[0][i] : 1 << 10) << 2);
+        r->divisor[i] = perspective_divisor_of(fx_u32(r->value[0][i] > 1 << 10 ? r->value[0][i] : 1 << 10) << 2);
 }
 
 /* Where lights or the eye are near: the places in 1/256 of position units, into r->value[3] to [5]. */
@@ -125,19 +125,19 @@ static q30_t half_way(const struct raster *r, int i, const int32_t towards[3], c
     uint32_t largest = 1u << 13, squared = 0;
     for (int k = 0; k < 3; k++) { /* at most 2^29 (1 + 2^-19) */
         half[k] = towards[k] + eye[k];
-        largest |= (uint32_t)(half[k] < 0 ? -half[k] : half[k]);
+        largest |= fx_u32(half[k] < 0 ? -half[k] : half[k]);
     }
-    const int down = 18 - (int)fx_clz(largest); /* the largest to 14 bits; what is below 2^-15 is as good as none */
+    const int down = 18 - fx_s32(fx_clz(largest)); /* the largest to 14 bits; what is below 2^-15 is as good as none */
     for (int k = 0; k < 3; k++) {
         half[k] >>= down;
-        squared += (uint32_t)(half[k] * half[k]); /* below 3 * 2^28 */
+        squared += fx_u32(half[k] * half[k]); /* below 3 * 2^28 */
     }
     if (squared < 1u << 26)
         return 0;
     /* |v| |half| < 2^16 * 2^14.8, so the high product is below 2^28.8: N.H |H| in Q27 of |H| in Q14. 1 / |H| is inverse
      * 2^(even / 2) / 2^45. */
     const unsigned even = fx_clz(squared) & ~1u; /* 2 or 4 */
-    const int32_t inverse = (int32_t)(fx_rsqrt_norm(squared << even) >> 1);
+    const int32_t inverse = fx_s32(fx_rsqrt_norm(squared << even) >> 1);
     const int32_t sum = r->value[0][i] * half[0] + r->value[1][i] * half[1] + r->value[2][i] * half[2];
     return fx_mulhi_s32(fx_mulhi_s32(sum, r->divisor[i].half) * 4, inverse) * (1 << (2 + even / 2));
 }
@@ -153,8 +153,8 @@ static inline __attribute__((always_inline)) void add_lights_near(struct raster 
         object_towards(&object->eye, place, eye);
         for (unsigned l = 0; l < surface_lights(s); l++) {
             object_towards(&object->light[l].source, place, way);
-            const q14_t towards[3] = {(q14_t)((way[0] + (1 << 13)) >> 14), (q14_t)((way[1] + (1 << 13)) >> 14),
-                                      (q14_t)((way[2] + (1 << 13)) >> 14)};
+            const q14_t towards[3] = {fx_s16((way[0] + (1 << 13)) >> 14), fx_s16((way[1] + (1 << 13)) >> 14),
+                                      fx_s16((way[2] + (1 << 13)) >> 14)};
             add_diffuse(r, i, l, towards);
             const q30_t highlight = surface_highlights(s) ? half_way(r, i, way, eye) : 0;
             if (highlight > 0)

@@ -17,7 +17,7 @@ static inline __attribute__((always_inline)) struct normals_vector normals_vecto
 {
     const unsigned up = fx_clz(squared) & ~1u; /* to [2^30, 2^32) by a square's factor */
     const int32_t half = 1 << up / 2;
-    return (struct normals_vector){x * half, y * half, z * half, (int32_t)(fx_rsqrt_norm(squared << up) >> 1)};
+    return (struct normals_vector){x * half, y * half, z * half, fx_s32(fx_rsqrt_norm(squared << up) >> 1)};
 }
 
 /* N . u of a unit vector in Q14, in Q30, at most 1 + 2^-12: |v| |u| < 2^30 (1 + 2^-12) and so is every partial sum; the

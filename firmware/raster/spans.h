@@ -79,20 +79,20 @@ static inline __attribute__((always_inline)) uint32_t spans_normal(const struct 
                                                                    const struct spans_light *light)
 {
     /* Q15; |N|^2 in [1/3, 1 + 2^-12] */
-    const int32_t x = (int32_t)v->l >> 15, y = (int32_t)v->h >> 15, z = (int32_t)v->c >> 15;
-    const struct normals_vector normal = normals_vector(x, y, z, (uint32_t)(x * x + y * y + z * z));
+    const int32_t x = fx_wrap_s32(v->l) >> 15, y = fx_wrap_s32(v->h) >> 15, z = fx_wrap_s32(v->c) >> 15;
+    const struct normals_vector normal = normals_vector(x, y, z, fx_u32(x * x + y * y + z * z));
     const q30_t l = normals_dot(&normal, light->towards), h = normals_dot(&normal, light->half);
     uint32_t sum = light->base;
     if (l > 0)
-        sum += surface_diffuse((uint32_t)l >> 15, light->diffuse);
+        sum += surface_diffuse(fx_u32(l) >> 15, light->diffuse);
     if (h > 0)
         sum += surface_diffuse(fx_power(light->power, normals_lengthened(h, light->shortness)), light->specular);
     sum = (sum + (1u << 14)) >> 15;
     return sum < 255 ? sum : 255;
 }
 
-FX_WRAPS static inline __attribute__((always_inline)) uint32_t spans_grey(const struct spans_values *v,
-                                                                          const struct spans_look *look, unsigned kind)
+static inline __attribute__((always_inline)) uint32_t spans_grey(const struct spans_values *v,
+                                                                 const struct spans_look *look, unsigned kind)
 {
     if (kind & SPANS_COLOUR)
         return v->l >> 24;
@@ -108,17 +108,17 @@ FX_WRAPS static inline __attribute__((always_inline)) uint32_t spans_grey(const 
         by = spans_length[fx_saturated(v->c, SPANS_LENGTH_BITS, 28 - SPANS_LENGTH_BITS)];
         if (kind &
             (SPANS_WIDE | SPANS_POWER)) /* the quotient is at least -1, the foot below 1: within [-2, 2) in Q30 */
-            h = (uint32_t)((int32_t)h >> 15) * by - look->foot;
+            h = fx_wrap_sub(fx_wrap_mul(fx_wrap_u32(fx_wrap_s32(h) >> 15), by), look->foot);
         else if (kind & SPANS_HIGHLIGHT) /* modulo 2^32 */
-            h = (uint32_t)((int32_t)h >> look->down) * by - look->foot;
+            h = fx_wrap_sub(fx_wrap_mul(fx_wrap_u32(fx_wrap_s32(h) >> look->down), by), look->foot);
     }
     if (kind & SPANS_POWER) { /* powers are at most 2^15, the step's light below 2^16; the product in Q7 steps */
-        const uint32_t t = fx_saturated((uint32_t)((int32_t)h >> look->down), 22, 0);
+        const uint32_t t = fx_saturated(fx_wrap_u32(fx_wrap_s32(h) >> look->down), 22, 0);
         const uint16_t *p = &look->table[t >> 15];
-        const uint32_t power = p[0] + ((uint32_t)(p[1] - p[0]) * (t & 0x7fff) >> 15);
-        sum += (power * look->specular >> 16) & ~(uint32_t)((int32_t)h >> 31); /* none below the foot */
+        const uint32_t power = p[0] + (fx_u32(p[1] - p[0]) * (t & 0x7fff) >> 15);
+        sum += (power * look->specular >> 16) & ~fx_wrap_u32(fx_wrap_s32(h) >> 31); /* none below the foot */
     } else if (kind & SPANS_WIDE) {
-        sum = look->table[fx_saturated((uint32_t)((int32_t)h >> look->down), TABLE_BITS, 0)];
+        sum = look->table[fx_saturated(fx_wrap_u32(fx_wrap_s32(h) >> look->down), TABLE_BITS, 0)];
     } else if (kind & SPANS_HIGHLIGHT) {
         sum = look->table[fx_saturated(h, TABLE_BITS, 30 - TABLE_BITS)];
     }
@@ -138,7 +138,7 @@ static inline __attribute__((always_inline)) uint32_t spans_rgb565(const struct 
         return look->colour;
     const uint16_t *entry = look->table;
     if (kind & SPANS_WIDE)
-        entry += fx_saturated((uint32_t)((int32_t)v->h >> look->down), 7, 0) * TABLE_DIFFUSE;
+        entry += fx_saturated(fx_wrap_u32(fx_wrap_s32(v->h) >> look->down), 7, 0) * TABLE_DIFFUSE;
     else if (kind & SPANS_HIGHLIGHT)
         entry += fx_saturated(v->h, 7, 23) * TABLE_DIFFUSE;
     if (kind & SPANS_DIFFUSE)
@@ -150,22 +150,22 @@ static inline __attribute__((always_inline)) void spans_rgb888(uint8_t *pixel, c
                                                                const struct spans_look *look, unsigned kind)
 {
     if (kind & SPANS_COLOUR) {
-        pixel[0] = (uint8_t)(v->l >> 24);
-        pixel[1] = (uint8_t)(v->h >> 24);
-        pixel[2] = (uint8_t)(v->c >> 24);
+        pixel[0] = fx_u8(v->l >> 24);
+        pixel[1] = fx_u8(v->h >> 24);
+        pixel[2] = fx_u8(v->c >> 24);
     } else if (kind & SPANS_DIFFUSE) {
         const uint16_t *entry = look->table;
         if (kind & SPANS_WIDE)
-            entry += 4 * fx_saturated((uint32_t)((int32_t)v->h >> look->down), TABLE_BITS, 0);
+            entry += 4 * fx_saturated(fx_wrap_u32(fx_wrap_s32(v->h) >> look->down), TABLE_BITS, 0);
         else if (kind & SPANS_HIGHLIGHT)
             entry += 4 * fx_saturated(v->h, TABLE_BITS, 30 - TABLE_BITS);
         const uint32_t l = fx_saturated(v->l, 16, 15); /* times Q8 steps: below 2^32 */
         for (int c = 0; c < 3; c++)
-            pixel[c] = (uint8_t)fx_saturated(entry[c] + (l * look->diffuse[c] >> 16), 8, 7);
+            pixel[c] = fx_u8(fx_saturated(entry[c] + (l * look->diffuse[c] >> 16), 8, 7));
     } else {
-        pixel[0] = (uint8_t)(look->colour >> 16);
-        pixel[1] = (uint8_t)(look->colour >> 8);
-        pixel[2] = (uint8_t)look->colour;
+        pixel[0] = fx_wrap_u8(look->colour >> 16);
+        pixel[1] = fx_wrap_u8(look->colour >> 8);
+        pixel[2] = fx_wrap_u8(look->colour);
     }
 }
 
@@ -183,20 +183,19 @@ struct spans_place {
     uintptr_t base, to_other, pixels;
 };
 
-FX_WRAPS static inline struct spans_place spans_find(const struct raster *r, unsigned kind)
+static inline struct spans_place spans_find(const struct raster *r, unsigned kind)
 {
     const uintptr_t pixels = (uintptr_t)r->pixels, depth = (uintptr_t)r->depth;
     if (kind & SPANS_GREY8)
-        return (struct spans_place){pixels, depth - 2 * pixels, 0};
-    return (struct spans_place){depth, pixels - depth, pixels};
+        return (struct spans_place){pixels, fx_wrap_sub(depth, 2 * pixels), 0};
+    return (struct spans_place){depth, fx_wrap_sub(pixels, depth), pixels};
 }
 
 /* Pixels [at, end) of the band. *hidden counts those that are not the nearest; it stays in memory, as the loops need
  * the registers. */
-FX_WRAPS static inline __attribute__((always_inline)) void spans_pixels(struct spans_place place, struct spans_values v,
-                                                                        uint32_t at, uint32_t end,
-                                                                        const struct spans_look *look,
-                                                                        volatile uint32_t *hidden, unsigned kind)
+static inline __attribute__((always_inline)) void spans_pixels(struct spans_place place, struct spans_values v,
+                                                               uint32_t at, uint32_t end, const struct spans_look *look,
+                                                               volatile uint32_t *hidden, unsigned kind)
 {
     const unsigned step = kind & SPANS_GREY8 ? 1 : 2;
     uintptr_t p = place.base + step * (uintptr_t)at;
@@ -206,16 +205,16 @@ FX_WRAPS static inline __attribute__((always_inline)) void spans_pixels(struct s
     do {
         if (kind & SPANS_GREY8)
             __asm__("" : "+r"(other)); /* or compilers step the depth's address too */
-        uint16_t *depth = (uint16_t *)(kind & SPANS_GREY8 ? other + 2 * p : p);
+        uint16_t *depth = (uint16_t *)(kind & SPANS_GREY8 ? fx_wrap_add(other, 2 * p) : p);
         const uint32_t nearer = v.z >> 16;
         if (nearer > *depth) {
-            *depth = (uint16_t)nearer;
+            *depth = fx_u16(nearer);
             if (kind & SPANS_GREY8)
-                *(uint8_t *)p = (uint8_t)spans_grey(&v, look, kind);
+                *(uint8_t *)p = fx_u8(spans_grey(&v, look, kind));
             else if (kind & SPANS_RGB888)
                 spans_rgb888((uint8_t *)other, &v, look, kind);
             else
-                *(uint16_t *)(p + other) = (uint16_t)spans_rgb565(&v, look, kind);
+                *(uint16_t *)fx_wrap_add(p, other) = fx_u16(spans_rgb565(&v, look, kind));
         } else {
             *hidden = *hidden + 1;
         }
@@ -246,13 +245,13 @@ FX_WRAPS static inline __attribute__((always_inline)) uint32_t spans_start(const
 }
 
 /* The values at column i, row j. */
-FX_WRAPS static inline __attribute__((always_inline)) struct spans_values
-spans_at(const struct shade_setup *setup, uint32_t i, uint32_t j, unsigned kind)
+static inline __attribute__((always_inline)) struct spans_values spans_at(const struct shade_setup *setup, uint32_t i,
+                                                                          uint32_t j, unsigned kind)
 {
     const struct polynomial *pl = &setup->channel[0].p, *ph = &setup->channel[1].p,
                             *pc = &setup->channel[kind & SPANS_LENGTH ? SHADE_SQUARE : 2].p;
     const int quadratic = (kind & SPANS_QUADRATIC) != 0, bends = quadratic && !(kind & SPANS_LENGTH);
-    struct spans_values v = {.al = 2 * pl->a, .ah = 2 * ph->a, .ac = 2 * pc->a};
+    struct spans_values v = {.al = fx_wrap_shl(pl->a, 1), .ah = fx_wrap_shl(ph->a, 1), .ac = fx_wrap_shl(pc->a, 1)};
     v.z = spans_start(&setup->depth.p, i, j, &v.dz, 0);
     if (kind & (SPANS_DIFFUSE | SPANS_PLAIN | SPANS_COLOUR | SPANS_NORMAL))
         v.l = spans_start(pl, i, j, &v.dl, bends);
@@ -264,20 +263,20 @@ spans_at(const struct shade_setup *setup, uint32_t i, uint32_t j, unsigned kind)
 }
 
 /* Draws the set-up triangle over the band; returns the pixels that passed the depth test. */
-FX_WRAPS static inline __attribute__((always_inline)) uint32_t spans_draw(struct raster *r, struct edges *e,
-                                                                          struct spans_look look, unsigned kind)
+static inline __attribute__((always_inline)) uint32_t spans_draw(struct raster *r, struct edges *e,
+                                                                 struct spans_look look, unsigned kind)
 {
     const struct shade_setup *setup = &r->setup;
     const int quadratic = (kind & SPANS_QUADRATIC) != 0;
-    const uint32_t width = r->width, ox = (uint32_t)setup->plane.ox;
+    const uint32_t width = r->width, ox = fx_u32(setup->plane.ox);
     volatile uint32_t hidden = 0;
-    uint32_t j = (uint32_t)(e->row - setup->plane.oy), row = (uint32_t)(e->row - r->y0) * width, covered = 0;
+    uint32_t j = fx_wrap_u32(e->row - setup->plane.oy), row = fx_u32(e->row - r->y0) * width, covered = 0;
     const struct spans_place place = spans_find(r, kind);
-    struct spans_values v = spans_at(setup, 0u - ox, j, kind); /* linear: at the row's column 0 */
-    if (kind & SPANS_COLOUR) {                                 /* to the nearest step */
-        v.l += 1u << 23;
-        v.h += 1u << 23;
-        v.c += 1u << 23;
+    struct spans_values v = spans_at(setup, fx_wrap_sub(0, ox), j, kind); /* linear: at the row's column 0 */
+    if (kind & SPANS_COLOUR) {                                            /* to the nearest step */
+        fx_wrap_inc(&v.l, 1u << 23);
+        fx_wrap_inc(&v.h, 1u << 23);
+        fx_wrap_inc(&v.c, 1u << 23);
     }
     const uint32_t ez = setup->depth.p.e, el = setup->channel[0].p.e, eh = setup->channel[1].p.e,
                    ec = setup->channel[2].p.e;
@@ -288,24 +287,24 @@ FX_WRAPS static inline __attribute__((always_inline)) uint32_t spans_draw(struct
             if (n > 0) {
                 struct spans_values first = v;
                 if (quadratic) {
-                    first = spans_at(setup, (uint32_t)x - ox, j, kind);
+                    first = spans_at(setup, fx_wrap_sub(fx_u32(x), ox), j, kind);
                 } else {
-                    first.z += v.dz * (uint32_t)x;
-                    first.l += v.dl * (uint32_t)x;
-                    first.h += v.dh * (uint32_t)x;
-                    first.c += v.dc * (uint32_t)x;
+                    fx_wrap_inc(&first.z, fx_wrap_mul(v.dz, fx_u32(x)));
+                    fx_wrap_inc(&first.l, fx_wrap_mul(v.dl, fx_u32(x)));
+                    fx_wrap_inc(&first.h, fx_wrap_mul(v.dh, fx_u32(x)));
+                    fx_wrap_inc(&first.c, fx_wrap_mul(v.dc, fx_u32(x)));
                 }
-                const uint32_t at = row + (uint32_t)x;
-                covered += (uint32_t)n;
-                spans_pixels(place, first, at, at + (uint32_t)n, &look, &hidden, kind);
+                const uint32_t at = row + fx_u32(x);
+                covered += fx_u32(n);
+                spans_pixels(place, first, at, at + fx_u32(n), &look, &hidden, kind);
             }
             if (quadratic) {
-                j++;
+                fx_wrap_inc(&j, 1);
             } else {
-                v.z += ez;
-                v.l += el;
-                v.h += eh;
-                v.c += ec;
+                fx_wrap_inc(&v.z, ez);
+                fx_wrap_inc(&v.l, el);
+                fx_wrap_inc(&v.h, eh);
+                fx_wrap_inc(&v.c, ec);
             }
         }
     } while (e->row < e->last);
@@ -333,11 +332,10 @@ uint32_t spans_rgb888_colours(struct raster *r, struct edges *e);
 uint32_t spans_rgb888_dots(struct raster *r, struct edges *e);
 
 /* A case: none is inlined into another, so that each has all registers to itself. */
-#define SPANS_CASE(name, kind)                                                                 \
-    FX_WRAPS static __attribute__((noinline)) uint32_t name(struct raster *r, struct edges *e, \
-                                                            const struct spans_look *look)     \
-    {                                                                                          \
-        return spans_draw(r, e, *look, kind);                                                  \
+#define SPANS_CASE(name, kind)                                                                                       \
+    static __attribute__((noinline)) uint32_t name(struct raster *r, struct edges *e, const struct spans_look *look) \
+    {                                                                                                                \
+        return spans_draw(r, e, *look, kind);                                                                        \
     }
 
 #endif

@@ -65,7 +65,7 @@ static uint32_t draw_highlight(struct raster *r, struct edges *e)
     return setup->quadratic ? both_quadratic(r, e, &look) : both(r, e, &look);
 }
 
-FX_WRAPS uint32_t spans_grey8_dots(struct raster *r, struct edges *e)
+uint32_t spans_grey8_dots(struct raster *r, struct edges *e)
 {
     struct shade_setup *setup = &r->setup;
     const struct spans_look look = {.colour = r->surface.ambient};
@@ -74,13 +74,13 @@ FX_WRAPS uint32_t spans_grey8_dots(struct raster *r, struct edges *e)
     if (!setup->diffuse_lights)
         return spans_grey8_constant(r, e, look.colour >> 7);
     if (setup->plain) {
-        setup->channel[0].p.f += look.colour << 15;
+        fx_wrap_inc(&setup->channel[0].p.f, look.colour << 15);
         return setup->quadratic ? plain_quadratic(r, e, &look) : plain(r, e, &look);
     }
     return setup->quadratic ? diffuse_quadratic(r, e, &look) : diffuse(r, e, &look);
 }
 
-FX_WRAPS uint32_t spans_grey8_lengths(struct raster *r, struct edges *e)
+uint32_t spans_grey8_lengths(struct raster *r, struct edges *e)
 {
     struct shade_setup *setup = &r->setup;
     struct spans_look look;
@@ -90,13 +90,13 @@ FX_WRAPS uint32_t spans_grey8_lengths(struct raster *r, struct edges *e)
     if (!shade_specular(setup))
         return setup->diffuse_lights ? lengths_diffuse(r, e, &look) : spans_grey8_constant(r, e, look.colour >> 7);
     if (!by_table || setup->wide) {
-        setup->channel[1].p.f += 1u << 14; /* half of what a pixel drops before it multiplies */
+        fx_wrap_inc(&setup->channel[1].p.f, 1u << 14); /* half of what a pixel drops before it multiplies */
         return by_table ? lengths_wide(r, e, &look) : lengths_power(r, e, &look);
     }
     const unsigned octave = r->surface.power->octave;
     look.down = 15u - octave;
     look.foot <<= octave;
-    setup->channel[1].p.f += 1u << (14 - octave);
+    fx_wrap_inc(&setup->channel[1].p.f, 1u << (14 - octave));
     return lengths(r, e, &look);
 }
 

@@ -42,8 +42,8 @@ void spans_hand_grey_quadratic(struct spans_hand *rows);
 void spans_hand_grey_lengths(struct spans_hand *rows);
 
 /* `grey`, `lengths`: which of them `draw` is; constants. */
-FX_WRAPS static inline uint32_t spans_by_hand(struct raster *r, struct edges *e, const struct spans_look *look,
-                                              int grey, int lengths, void (*draw)(struct spans_hand *))
+static inline uint32_t spans_by_hand(struct raster *r, struct edges *e, const struct spans_look *look, int grey,
+                                     int lengths, void (*draw)(struct spans_hand *))
 {
     const struct shade_setup *setup = &r->setup;
     const uintptr_t pixels = (uintptr_t)r->pixels, depth = (uintptr_t)r->depth;
@@ -51,18 +51,18 @@ FX_WRAPS static inline uint32_t spans_by_hand(struct raster *r, struct edges *e,
     const uint32_t stride = by_pixels ? r->width : 2u * r->width;
     struct spans_hand rows; /* not all of it 0 first, which compilers call memset() for, a triangle each */
     rows.channel = &setup->depth;
-    rows.row = (uint8_t *)(by_pixels ? pixels : depth) + (uint32_t)(e->row - r->y0) * stride;
+    rows.row = (uint8_t *)(by_pixels ? pixels : depth) + fx_u32(e->row - r->y0) * stride;
     rows.stride = stride;
-    rows.j = (uint32_t)(e->row - setup->plane.oy);
-    rows.ox = (uint32_t)setup->plane.ox;
+    rows.j = fx_wrap_u32(e->row - setup->plane.oy);
+    rows.ox = fx_u32(setup->plane.ox);
     rows.table = look->table;
-    rows.to_other = by_pixels ? depth - 2 * pixels : pixels - (grey ? depth / 2 : depth);
+    rows.to_other = by_pixels ? fx_wrap_sub(depth, 2 * pixels) : fx_wrap_sub(pixels, grey ? depth / 2 : depth);
     rows.covered = rows.hidden = 0;
     if (lengths) {
-        rows.second = 2 * setup->channel[SHADE_SQUARE].p.a;
+        rows.second = fx_wrap_shl(setup->channel[SHADE_SQUARE].p.a, 1);
         rows.inverse = spans_length;
         rows.down = look->down;
-        rows.foot = 0u - look->foot;
+        rows.foot = fx_wrap_sub(0, look->foot);
     }
     do {
         rows.span = r->span;

@@ -32,11 +32,11 @@ uint32_t spans_rgb565_colours(struct raster *r, struct edges *e)
     return colours(r, e, &look);
 }
 
-FX_WRAPS uint32_t spans_rgb565_dots(struct raster *r, struct edges *e)
+uint32_t spans_rgb565_dots(struct raster *r, struct edges *e)
 {
     struct shade_setup *setup = &r->setup;
     struct spans_look look = {.table = r->surface_table->entry};
-    setup->channel[0].p.f += 1u << 23; /* N.L rounded to the table's steps: half a step more */
+    fx_wrap_inc(&setup->channel[0].p.f, 1u << 23); /* N.L rounded to the table's steps: half a step more */
     if (!shade_specular(setup)) {
         if (!setup->diffuse_lights)
             return spans_rgb565_constant(r, e, look.table[0]);

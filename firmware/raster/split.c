@@ -23,14 +23,14 @@ static void find_corners(const struct uv_corners *whole, const struct piece *pie
         const unsigned up = fx_clz(sum);
         const uint32_t inverse = fx_recip_norm(sum << up);
         /* shares in Q30; the last is the rest, so that what is the same at all corners stays so */
-        const int32_t p = (int32_t)(fx_mulhi_u32(wa << up, inverse) >> 1);
-        const int32_t q = (int32_t)(fx_mulhi_u32(wb << up, inverse) >> 1);
+        const int32_t p = fx_s32(fx_mulhi_u32(wa << up, inverse) >> 1);
+        const int32_t q = fx_s32(fx_mulhi_u32(wb << up, inverse) >> 1);
         for (int axis = 0; axis < 2; axis++) { /* differences of Q28 below 2^32, products below 2^63 */
             const int64_t rest = whole->value[axis][2];
-            out->value[axis][k] = (int32_t)(rest + (((whole->value[axis][0] - rest) * p) >> 30) +
-                                            (((whole->value[axis][1] - rest) * q) >> 30));
+            out->value[axis][k] = fx_s32(rest + (((whole->value[axis][0] - rest) * p) >> 30) +
+                                         (((whole->value[axis][1] - rest) * q) >> 30));
         }
-        out->s[k] = (uint16_t)(sum >> 15);
+        out->s[k] = fx_u16(sum >> 15);
     }
 }
 
@@ -47,15 +47,15 @@ static __attribute__((noinline)) void find_terms(struct terms *terms, const stru
     int64_t most = 0;
     int down = 8;
     for (int k = 0; k < 3; k++) {
-        const int64_t d = (int64_t)u[k] - u[0];
+        const int64_t d = fx_s64(u[k]) - u[0];
         most |= d < 0 ? -d : d;
     }
     while (most >> down > (1 << 13) - 2)
         down++;
     for (int k = 0; k < 3; k++) {
         const int next = k == 2 ? 0 : k + 1;
-        terms->value[k] = (int32_t)(((int64_t)u[k] - u[0] + (1 << (down - 1))) >> down);
-        terms->bulge[k] = (int32_t) - ((((int64_t)u[k] - u[next]) * uv_ratio(uv->s[k], uv->s[next])) >> (15 + down));
+        terms->value[k] = fx_s32((fx_s64(u[k]) - u[0] + (1 << (down - 1))) >> down);
+        terms->bulge[k] = fx_s32(-(((fx_s64(u[k]) - u[next]) * uv_ratio(uv->s[k], uv->s[next])) >> (15 + down)));
     }
     terms->up = down - 16;
 }
@@ -78,7 +78,7 @@ static __attribute__((noinline)) int errs(const struct raster *r, const struct p
 }
 
 /* Channels over a part; perspective-correct where it cannot be split further, or is too thin for a quadratic. */
-FX_WRAPS static __attribute__((noinline)) void set_part(struct raster *r, const struct piece *piece, int bad)
+static __attribute__((noinline)) void set_part(struct raster *r, const struct piece *piece, int bad)
 {
     struct uv_corners uv;
     struct part_corner corner[3];
@@ -91,7 +91,7 @@ FX_WRAPS static __attribute__((noinline)) void set_part(struct raster *r, const 
         find_terms(&terms, &uv, axis);
         struct channel *channel = &r->setup.uv[axis];
         bad = !part_channel(&r->setup, &r->input, corners, terms.value, terms.bulge, terms.up, channel);
-        channel->p.f += (uint32_t)uv.value[axis][0];
+        fx_wrap_inc(&channel->p.f, fx_wrap_u32(uv.value[axis][0]));
     }
     if (bad)
         uv_setup_corners(&r->setup, &r->corners, GLINT_TEXTURE_PERSPECTIVE);
@@ -124,7 +124,7 @@ static struct piece part_of(const struct piece *whole, unsigned i)
     for (int k = 0; k < 3; k++)
         for (int c = 0; c < 2; c++) {
             const unsigned a = whole->weight[corner[i][k][0]][c], b = whole->weight[corner[i][k][1]][c];
-            part.weight[k][c] = (uint16_t)((a + b) >> 1); /* exact for as many halvings as there are */
+            part.weight[k][c] = fx_u16((a + b) >> 1); /* exact for as many halvings as there are */
         }
     return part;
 }

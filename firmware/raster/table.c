@@ -39,13 +39,13 @@ static void make_colours(struct raster *r, uint16_t *entry)
     const struct surface *s = &r->surface;
     for (uint32_t j = 0; j < TABLE_HIGHLIGHT; j++) {
         /* N.H in the middle of its step: 1 - 2^-octave (128 - j - 1/2) / 128 */
-        uint32_t power = j ? surface_power(s, (q30_t)((1u << 30) - ((255u - 2 * j) << (22 - s->power->octave)))) : 0;
+        uint32_t power = j ? surface_power(s, fx_s32((1u << 30) - ((255u - 2 * j) << (22 - s->power->octave)))) : 0;
         for (uint32_t i = 0; i < TABLE_DIFFUSE; i++) {
             uint32_t sum[3];
             for (int c = 0; c < 3; c++)
                 sum[c] = s->base[c] + surface_diffuse(diffuse_of(i), s->light[0].diffuse[c]) +
                          surface_diffuse(power, s->light[0].specular[c]);
-            *entry++ = (uint16_t)raster_colour(r, sum);
+            *entry++ = fx_u16(raster_colour(r, sum));
         }
     }
 }
@@ -62,9 +62,9 @@ static void make_highlights(const struct surface *s, unsigned c, uint16_t *entry
         const uint32_t rise = s->power->value[i + 1] * specular - low, step = rise >> bits;
         uint32_t value = low + (step >> 1) + (1u << 15);
         for (unsigned k = 0; k < 1u << bits; k++, entry += apart, value += step)
-            *entry = (uint16_t)(ambient + (value >> 16));
+            *entry = fx_u16(ambient + (value >> 16));
     }
-    *first = (uint16_t)ambient;
+    *first = fx_u16(ambient);
 }
 
 static void make(struct raster *r, struct table *table)
@@ -129,5 +129,5 @@ uint16_t table_error(const struct raster *r)
                                ((255u * s->light[0].specular[c] / top * s->power->exponent) >> down) + 1;
         most = error > most ? error : most;
     }
-    return (uint16_t)(most < 65535 ? most : 65535);
+    return fx_u16(most < 65535 ? most : 65535);
 }

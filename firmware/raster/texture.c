@@ -16,7 +16,7 @@ void texture_coordinates(struct raster *r, int x, int y, int n)
     if (divides) {
         plane_values(&setup->plane, &setup->depth, x, y, n, r->value[0]);
         for (int i = 0; i < n; i++)
-            r->divisor[i] = perspective_divisor((uint32_t)r->value[0][i], setup->uv_up);
+            r->divisor[i] = perspective_divisor(fx_wrap_u32(r->value[0][i]), setup->uv_up);
     }
     for (int axis = 0; axis < 2; axis++) {
         int32_t *uv = r->uv[axis];
@@ -104,8 +104,8 @@ static inline __attribute__((always_inline)) void nearest(struct raster *r, int 
     const struct lookup at = lookup_of(&r->surface.texture);
     uint32_t *sum = r->sum[0];
     for (int i = 0; i < n; i++, sum += 3) {
-        const uint32_t u = (uint32_t)r->uv[0][i] >> at.down_u & at.mask_u;
-        const uint32_t v = (uint32_t)r->uv[1][i] >> at.down_v & at.mask_v;
+        const uint32_t u = fx_wrap_u32(r->uv[0][i]) >> at.down_u & at.mask_u;
+        const uint32_t v = fx_wrap_u32(r->uv[1][i]) >> at.down_v & at.mask_v;
         const struct fields f = texel(&at, v << at.row | u, palette);
         multiply(sum, r->surface.texture.grey, f.red_blue & 0xffff0000, (palette ? f.green & 0xff : f.green) << 16,
                  (f.red_blue & 0xffff) << 16, palette, grey);
@@ -122,10 +122,10 @@ FX_WRAPS static inline uint32_t blend(uint32_t a, uint32_t b, uint32_t f)
 /* A position in 1/256 texels from the middle of texel 0, rounded. */
 FX_WRAPS static inline uint32_t from_middle(int32_t uv, unsigned down)
 {
-    return ((uint32_t)uv - (1u << (down - 1)) + (1u << (down - 9))) >> (down - 8);
+    return (fx_wrap_u32(uv) - (1u << (down - 1)) + (1u << (down - 9))) >> (down - 8);
 }
 
-FX_WRAPS static inline __attribute__((always_inline)) void bilinear(struct raster *r, int n, int palette, int grey)
+static inline __attribute__((always_inline)) void bilinear(struct raster *r, int n, int palette, int grey)
 {
     const struct lookup at = lookup_of(&r->surface.texture);
     const uint32_t byte = palette ? 0xff : 0x3f;

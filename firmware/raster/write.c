@@ -27,16 +27,16 @@ static uint32_t pack(const struct raster *r, const uint32_t sum[3], uint32_t thr
 static inline __attribute__((always_inline)) void put(uint8_t *row, int x, uint32_t colour, unsigned format)
 {
     if (uses_format(format, GLINT_RGB565)) {
-        ((uint16_t *)(void *)row)[x] = (uint16_t)colour;
+        ((uint16_t *)(void *)row)[x] = fx_u16(colour);
     } else if (uses_format(format, GLINT_RGB888)) {
-        row[3 * x] = (uint8_t)(colour >> 16);
-        row[3 * x + 1] = (uint8_t)(colour >> 8);
-        row[3 * x + 2] = (uint8_t)colour;
+        row[3 * x] = fx_u8(colour >> 16);
+        row[3 * x + 1] = fx_wrap_u8(colour >> 8);
+        row[3 * x + 2] = fx_wrap_u8(colour);
     } else if (uses_format(format, GLINT_GREY8)) {
-        row[x] = (uint8_t)colour;
+        row[x] = fx_u8(colour);
     } else if (USES(USES_GREY4)) {
         row += x >> 1;
-        *row = (uint8_t)(x & 1 ? (*row & 0xf0) | colour : (*row & 0x0f) | colour << 4);
+        *row = fx_u8(x & 1 ? (*row & 0xf0) | colour : (*row & 0x0f) | colour << 4);
     }
 }
 
@@ -49,7 +49,7 @@ uint32_t raster_colour(const struct raster *r, const uint32_t sum[3])
 static void write_some(struct raster *r, uint8_t *row, int x, int y, uint32_t mask)
 {
     for (const uint32_t *sum = r->sum[0]; mask; sum += 3, x++, mask >>= 1) {
-        uint32_t threshold = raster_dithers(r) ? (uint32_t)(2 * bayer[y & 3][x & 3] + 1) << 10 : HALF_STEP;
+        uint32_t threshold = raster_dithers(r) ? fx_u32(2 * bayer[y & 3][x & 3] + 1) << 10 : HALF_STEP;
         if (mask & 1)
             put(row, x, pack(r, sum, threshold), r->format);
     }
@@ -71,7 +71,7 @@ static inline __attribute__((always_inline)) void write_all(const struct raster 
 
 void raster_write(struct raster *r, int x, int y, uint32_t mask)
 {
-    uint8_t *row = r->pixels + (uint32_t)(y - r->y0) * r->stride;
+    uint8_t *row = r->pixels + fx_u32(y - r->y0) * r->stride;
     if (raster_dithers(r) || (mask & (mask + 1)) != 0)
         write_some(r, row, x, y, mask);
     else if (raster_is(r, GLINT_RGB565))
@@ -108,7 +108,7 @@ static void fill(uint32_t *to, uint32_t word, uint32_t bytes)
 
 void raster_clear(struct raster *r, const struct scene_header *scene)
 {
-    uint32_t sum[3], rows = (uint32_t)(r->y1 - r->y0);
+    uint32_t sum[3], rows = fx_u32(r->y1 - r->y0);
     surface_colour(&r->palette, scene->background, sum);
     uint32_t colour = raster_colour(r, sum);
     /* The depth store is rounded up to whole words; what the last word holds beyond the band is not read. */

@@ -44,7 +44,7 @@ void shade_biquadratic_perspective(struct shade_setup *setup, const struct shade
     } else if (!quadratic_of(in, &n)) {
         shade_phong_perspective(setup, in);
     } else {
-        setup->perspective = (uint8_t)(perspective.up + 1u);
+        setup->perspective = fx_u8(perspective.up + 1u);
         setup->quadratic = 1;
         plane_setup_quadratic(&setup->plane);
         for (int axis = 0; axis < 3; axis++)

@@ -14,7 +14,7 @@ static int32_t dot(const q14_t a[3], const q14_t b[3])
 void bump_turn(const struct bump_frame *frame, const q14_t v[3], int16_t out[3])
 {
     for (int i = 0; i < 3; i++)
-        out[i] = (int16_t)dot(frame->axis[i], v);
+        out[i] = fx_s16(dot(frame->axis[i], v));
 }
 
 void bump_make_frame(const q14_t tangent[3], int sign, const q14_t normal[3], struct bump_frame *out)
@@ -23,7 +23,7 @@ void bump_make_frame(const q14_t tangent[3], int sign, const q14_t normal[3], st
         const int j = i == 2 ? 0 : i + 1, k = j == 2 ? 0 : j + 1;
         const int32_t cross = (normal[j] * tangent[k] - normal[k] * tangent[j] + (1 << 13)) >> 14; /* 2^29 at most */
         out->axis[0][i] = tangent[i];
-        out->axis[1][i] = (q14_t)(sign < 0 ? -cross : cross);
+        out->axis[1][i] = fx_s16(sign < 0 ? -cross : cross);
         out->axis[2][i] = normal[i];
     }
 }
@@ -38,7 +38,7 @@ void bump_average(const int16_t a[3], const int16_t b[3], int32_t bulge[3])
     }
     const int32_t square = (quarter + (1 << 11)) >> 12, one = 1 << 16;
     /* m >= 1 but for roundings; |S| m <= 2 (1 + 2^-8): |S (m - 1)| < 2^31 in Q30, half of it fits */
-    const int32_t longer = (int32_t)dots_length_factor(square < one ? (uint32_t)(one - square) : 0) - one;
+    const int32_t longer = fx_s32(dots_length_factor(square < one ? fx_u32(one - square) : 0)) - one;
     for (int i = 0; i < 3; i++)
         bulge[i] = -(sum[i] * (longer >> 1));
 }
@@ -104,7 +104,7 @@ static void rebuild(const struct shade_input *in, const struct corners *corners,
     }
     bump_make_frame(tangent, in->tangents[in->triangle->corner[SHADE_TURN(a)]].sign, normal, &frame);
     for (int i = 0; i < 3; i++)
-        position[i] = (int16_t)((va->position[i] + vb->position[i]) >> 1);
+        position[i] = fx_s16((va->position[i] + vb->position[i]) >> 1);
     directions(in, light, position, towards);
     for (int which = 0; which < 2; which++) {
         int16_t middle[3];
@@ -149,10 +149,10 @@ static void fold(const struct surface *s, struct samples *samples, int quadratic
     for (int which = 0; which < 2; which++)
         for (int axis = 0; axis < 3; axis++) {
             const uint32_t light = which ? 1u << 15 : surface_fold(s) >> 1;
-            const int32_t factor = (int32_t)(axis < 2 ? light * s->bump.steepness >> 14 : light); /* at most 2^15 */
+            const int32_t factor = fx_s32(axis < 2 ? light * s->bump.steepness >> 14 : light); /* at most 2^15 */
             for (int k = 0; k < 3; k++) {
                 int16_t *value = &samples->corner[which][k][axis];
-                *value = (int16_t)((*value * factor + (1 << 14)) >> 15);
+                *value = fx_s16((*value * factor + (1 << 14)) >> 15);
                 if (quadratic)
                     samples->bulge[which][k][axis] = fx_mulhi_s32(samples->bulge[which][k][axis], factor << 15) * 4;
             }
@@ -201,8 +201,8 @@ void bump_bends(const struct shade_input *in, uint16_t bend[SCENE_MAX_LIGHTS][2]
         for (int which = 0; which < 2; which++) {
             square_bulges((const int16_t(*)[3])samples.corner[which], difference);
             for (int k = 0; k < 3; k++) { /* a rounding of the corners more */
-                const uint32_t rounded = ((uint32_t)difference[k] >> 14) + 4;
-                bend[i][which][k] = (uint16_t)(rounded < 65535 ? rounded : 65535);
+                const uint32_t rounded = (fx_u32(difference[k]) >> 14) + 4;
+                bend[i][which][k] = fx_u16(rounded < 65535 ? rounded : 65535);
             }
         }
     }
@@ -230,16 +230,16 @@ static inline __attribute__((always_inline)) void setup_lights(struct shade_setu
     uv_setup(setup, in, in->texture);
     if (quadratic)
         plane_setup_quadratic(&setup->plane);
-    setup->quadratic = (uint8_t)quadratic;
-    setup->in_steps = (uint8_t)is_straight(setup, in, quadratic);
+    setup->quadratic = fx_u8(quadratic);
+    setup->in_steps = fx_u8(is_straight(setup, in, quadratic));
     for (unsigned i = 0; i < surface_lights(s); i++) {
         struct samples samples;
         struct channel *channel = setup->bump + BUMP_CHANNELS * i;
         sample(in, &corners, i, quadratic, middle, &samples);
         if (setup->in_steps)
             fold(s, &samples, quadratic);
-        setup->diffuse_lights |= (uint8_t)(1u << i);
-        setup->specular_lights |= (uint8_t)((unsigned)surface_highlights(s) << i);
+        setup->diffuse_lights |= fx_u8(1u << i);
+        setup->specular_lights |= fx_u8(fx_u32(surface_highlights(s)) << i);
         for (int which = 0; which < (surface_highlights(s) ? 2 : 1); which++, channel += BUMP_HALF) {
             const int16_t(*corner)[3] = (const int16_t(*)[3])samples.corner[which];
             if (quadratic)
@@ -272,7 +272,7 @@ void shade_bump_upright(struct shade_setup *setup, const struct shade_input *in)
 
 /* 1 - |V|^2 = sum aij li lj, sum li lj <= 1/3, must stay below 1/4 for the table of reciprocal lengths, roundings too.
  */
-#define MOST_BULGE ((int32_t)((1u << 28) * 3 / 4 - (1u << 20)))
+#define MOST_BULGE (fx_s32((1u << 28) * 3 / 4 - (1u << 20)))
 
 void shade_bump_normalised(struct shade_setup *setup, const struct shade_input *in)
 {
@@ -289,8 +289,8 @@ void shade_bump_normalised(struct shade_setup *setup, const struct shade_input *
         int32_t bulge[2][3], most = 0;
         struct channel *channel = setup->bump + BUMP_CHANNELS * i;
         sample(in, &corners, i, 0, BUMP_AVERAGE, &samples);
-        setup->diffuse_lights |= (uint8_t)(1u << i);
-        setup->specular_lights |= (uint8_t)((count == 2) << i);
+        setup->diffuse_lights |= fx_u8(1u << i);
+        setup->specular_lights |= fx_u8((count == 2) << i);
         if (!perspective && is_straight(setup, in, 1)) { /* there is one light */
             for (int which = 0; which < count; which++) {
                 const int32_t largest = square_bulges((const int16_t(*)[3])samples.corner[which], bulge[which]);

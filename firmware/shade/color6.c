@@ -19,8 +19,8 @@ static void middle_colours(const struct shade_input *in, uint16_t out[3][3])
         for (int k = 0; k < 3; k++) {
             const uint32_t factor = dots_length_factor(dots_bend(in, k));
             for (unsigned which = 0; which < 2; which++) {
-                int64_t dot = ((int64_t)samples.middle[which][k] * factor) >> 17; /* half of the sum's, Q14 */
-                dots[k][2 * l + which] = (int16_t)(dot > 16383 ? 16383 : dot < -16384 ? -16384 : dot);
+                int64_t dot = (fx_s64(samples.middle[which][k]) * factor) >> 17; /* half of the sum's, Q14 */
+                dots[k][2 * l + which] = fx_s16(dot > 16383 ? 16383 : dot < -16384 ? -16384 : dot);
             }
         }
     }
@@ -31,14 +31,14 @@ static void middle_colours(const struct shade_input *in, uint16_t out[3][3])
 void shade_color6(struct shade_setup *setup, const struct shade_input *in)
 {
     const uint16_t *const corner[3] = {colour_corner(in, 0), colour_corner(in, 1), colour_corner(in, 2)};
-    const int up = 16 - (int)colour_bits(in->surface); /* to 14 bits: Q6, Q8 or Q10 of a step */
+    const int up = 16 - fx_s32(colour_bits(in->surface)); /* to 14 bits: Q6, Q8 or Q10 of a step */
     uint16_t middle[3][3];
     middle_colours(in, middle);
     plane_setup_quadratic(&setup->plane);
     for (unsigned c = 0; c < surface_channels(in->surface); c++) {
         int32_t value[3], bulge[3];
         for (int k = 0; k < 3; k++) /* at most 2^16 in Q8 steps */
-            value[k] = (int32_t)corner[k][c] * (1 << up) >> 2;
+            value[k] = fx_s32(corner[k][c]) * (1 << up) >> 2;
         for (int k = 0; k < 3; k++) { /* 2 (Ii + Ij - 2 Iij), half of it at most 2^17: 2^30 in Q28 */
             int32_t twice = corner[k][c] + corner[k == 2 ? 0 : k + 1][c] - 2 * middle[k][c];
             bulge[k] = twice * (1 << up) * (1 << 13);

@@ -23,7 +23,7 @@ void dots_sample(const struct shade_input *in, unsigned light, struct dots_sampl
 {
     for (int which = 0; which < 2; which++)
         for (int k = 0; k < 3; k++)
-            samples->corner[which][k] = in->lights[k][2 * light + (unsigned)which];
+            samples->corner[which][k] = in->lights[k][2 * light + fx_u32(which)];
     for (int k = 0; k < 3; k++) {
         const int next = k == 2 ? 0 : k + 1;
         if (!object_local(in->object)) {
@@ -50,23 +50,21 @@ void dots_bulges(const int32_t corner[3], const int32_t middle[3], const struct 
     for (int k = 0; k < 3; k++) {
         int32_t sum = corner[k] + corner[k == 2 ? 0 : k + 1];
         /* |sum| <= 2^15, |m D| <= 2^15 (1 + 2^-4) as D shrinks where m grows, Q30: below 2^32 before the difference */
-        int64_t bulge = (int64_t)sum * (1 << 15) - (((int64_t)middle[k] * factors->edge[k]) >> 1);
-        out[k] = bulge > INT32_MAX ? INT32_MAX : bulge < -INT32_MAX ? -INT32_MAX : (int32_t)bulge;
+        int64_t bulge = fx_s64(sum) * (1 << 15) - ((fx_s64(middle[k]) * factors->edge[k]) >> 1);
+        out[k] = bulge > INT32_MAX ? INT32_MAX : bulge < -INT32_MAX ? -INT32_MAX : fx_s32(bulge);
     }
 }
 
 /* x times a factor in Q16. */
 static int32_t stretched(int32_t x, uint32_t factor)
 {
-    return (int32_t)(((int64_t)x * factor) >> 16);
+    return fx_s32((fx_s64(x) * factor) >> 16);
 }
 
-FX_WRAPS void dots_quadratic(struct shade_setup *setup, const int32_t value[3], const int32_t bulge[3],
-                             struct channel *channel)
+void dots_quadratic(struct shade_setup *setup, const int32_t value[3], const int32_t bulge[3], struct channel *channel)
 {
-    const uint32_t one = 1u << 28;
-    if ((uint32_t)bulge[0] + one <= 2 * one && (uint32_t)bulge[1] + one <= 2 * one &&
-        (uint32_t)bulge[2] + one <= 2 * one)
+    const uint32_t most = PLANE_MOST_BULGE;
+    if (fx_within(bulge[0], most) && fx_within(bulge[1], most) && fx_within(bulge[2], most))
         plane_quadratic(&setup->plane, value, bulge, channel);
     else
         plane_quadratic_large(&setup->plane, value, bulge, channel);
@@ -83,12 +81,12 @@ static void interpolate(struct shade_setup *setup, const struct shade_input *in,
         steps_take(setup, in->surface, range, bend, value, bulge);
     if (form) {
         int32_t folded[3];
-        setup->folded = (uint8_t)form->fold(in->surface->power->exponent, value, bulge, folded, bulge);
+        setup->folded = fx_u8(form->fold(in->surface->power->exponent, value, bulge, folded, bulge));
         if (linear)
             form->linear(&setup->plane, folded, channel);
         else
             plane_quadratic_wide(&setup->plane, folded, bulge, channel);
-        setup->quadratic |= (uint8_t)!linear;
+        setup->quadratic |= fx_u8(!linear);
     } else if (perspective) {
         perspective->quadratic(perspective, &setup->plane, value, bulge, channel);
     } else if (linear) {
@@ -97,7 +95,7 @@ static void interpolate(struct shade_setup *setup, const struct shade_input *in,
         setup->quadratic = 1;
         dots_quadratic(setup, value, bulge, channel);
     }
-    setup->runs_only |= (uint8_t)(channel->exact != 0);
+    setup->runs_only |= fx_u8(channel->exact != 0);
 }
 
 /* 4 in Q14, beyond what any channel holds: a step count in Q8 times it fits. */
@@ -108,7 +106,7 @@ void dots_setup(struct shade_setup *setup, const struct shade_input *in, const s
 {
     const struct surface *s = in->surface;
     setup->runs_only = setup->depth.exact != 0;
-    setup->perspective = perspective ? (uint8_t)(perspective->up + 1u) : 0;
+    setup->perspective = perspective ? fx_u8(perspective->up + 1u) : 0;
     plane_setup_quadratic(&setup->plane);
     const struct glint_power *const form = surface_form(s);
     const int folds = form && form->fold && factors->are_dots && !perspective && !in->tabled;
@@ -129,7 +127,7 @@ void dots_setup(struct shade_setup *setup, const struct shade_input *in, const s
             bend = bend < MOST_BEND ? bend : MOST_BEND;
             if (!dots_show(setup, in, i, which, range, bend, form != 0, &error))
                 continue;
-            *shown[which] |= (uint8_t)(1u << i);
+            *shown[which] |= fx_u8(1u << i);
             const int in_steps = !which && alone && factors->folds && surface_fold(s) && !perspective;
             interpolate(setup, in, 2 * i + which, error < dots_limit(s, alone), samples.corner[which], bulge,
                         perspective, which && folds ? form : 0, range, bend, in_steps);

@@ -52,7 +52,7 @@ static inline int32_t dots_bulge_bend(const int32_t bulge[3])
         int32_t size = bulge[k] < 0 ? -bulge[k] : bulge[k];
         most = size > most ? size : most;
     }
-    return (int32_t)((((uint32_t)most >> 14) * 11) >> 5) + 2;
+    return fx_s32(((fx_u32(most) >> 14) * 11) >> 5) + 2;
 }
 
 /* A quadratic channel of values in Q14 and bulges in Q28, by the cheapest way that holds them. */
@@ -63,7 +63,7 @@ static inline uint32_t dots_highlight_slack(const struct surface *s, unsigned li
 {
     top = top > 16384 ? 16384 : top; /* beyond, the power is clamped */
     int32_t lower = top > bend ? top - bend : 0;
-    uint32_t change = fx_power(s->power, (q30_t)(top << 16)) - fx_power(s->power, (q30_t)(lower << 16));
+    uint32_t change = fx_power(s->power, fx_s32(top << 16)) - fx_power(s->power, fx_s32(lower << 16));
     return surface_diffuse(change, s->light[light].specular_most) >> 7;
 }
 
@@ -98,14 +98,14 @@ static inline __attribute__((always_inline)) int dots_show(struct shade_setup *s
     if (top < floor && deep)
         return 0;
     if (highlight && USES(USES_FORMATS & ~USES_GREY4))
-        setup->wide |= (uint8_t)dots_wide(s->power, range, bend);
+        setup->wide |= fx_u8(dots_wide(s->power, range, bend));
     if (top < floor)
         return 1;
     if (highlight) {
         *error = dots_highlight_slack(s, light, top, bend);
-        setup->runs_only |= (uint8_t)deep;
+        setup->runs_only |= fx_u8(deep);
     } else {
-        *error = (s->light[light].diffuse_most * (uint32_t)bend) >> 14;
+        *error = (s->light[light].diffuse_most * fx_u32(bend)) >> 14;
     }
     return 1;
 }

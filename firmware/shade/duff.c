@@ -25,7 +25,7 @@ void duff_lengths(const struct shade_input *in, int32_t value[3], int32_t bulge[
 {
     for (int k = 0; k < 3; k++) {
         value[k] = Q14(1, 1);
-        bulge[k] = (int32_t)((uint32_t)dots_bend(in, k) << 14); /* 4 bend in Q28: below 2^30 */
+        bulge[k] = fx_s32(fx_u32(dots_bend(in, k)) << 14); /* 4 bend in Q28: below 2^30 */
     }
     if (shade_weight(in))
         piece_quadratic(shade_weight(in), value, bulge);
@@ -62,6 +62,6 @@ void shade_duff(struct shade_setup *setup, const struct shade_input *in)
     factors.are_dots = 0;
     factors.folds = duff_direct(setup, in);
     dots_setup(setup, in, &factors, 0);
-    setup->length = (uint8_t)(factors.folds && shade_alone(setup));
+    setup->length = fx_u8(factors.folds && shade_alone(setup));
     duff_square(setup, in);
 }

@@ -12,8 +12,8 @@ void shade_gouraud(struct shade_setup *setup, const struct shade_input *in)
             for (int k = 0; k < 3; k++) { /* weights sum to 2^15: at most 2^31 unsigned */
                 uint32_t sum = 0;
                 for (int i = 0; i < 3; i++)
-                    sum += (uint32_t)colour[i][c] * in->weight[k][i];
-                value[k] = (int32_t)(sum >> 15);
+                    sum += fx_u32(colour[i][c]) * in->weight[k][i];
+                value[k] = fx_s32(sum >> 15);
             }
         }
         plane_linear(&setup->plane, value, &setup->channel[c]);

@@ -82,8 +82,8 @@ static int is_shorter(const int32_t v_q28[3], int32_t than_q28)
 {
     int64_t squared = 0; /* components below 2^30 */
     for (int k = 0; k < 3; k++)
-        squared += (int64_t)v_q28[k] * v_q28[k];
-    return squared < (int64_t)than_q28 * than_q28;
+        squared += fx_s64(v_q28[k]) * v_q28[k];
+    return squared < fx_s64(than_q28) * than_q28;
 }
 
 static void widen(const q14_t n[3], q30_t out[3])

@@ -6,7 +6,7 @@
 struct part_place part_place(const struct shade_input *in, const struct part_corner *corner)
 {
     /* Places are below 2^14, weights sum to 2^15. */
-    const int32_t u = corner->weight[0], v = corner->weight[1], w = (int32_t)PART_ONE - u - v;
+    const int32_t u = corner->weight[0], v = corner->weight[1], w = fx_s32(PART_ONE) - u - v;
     const int16_t *a = in->place[0], *b = in->place[1], *c = in->place[2];
     return (struct part_place){u * a[0] + v * b[0] + w * c[0], u * a[1] + v * b[1] + w * c[1]};
 }
@@ -21,7 +21,7 @@ void part_weights(const struct shade_input *in, const struct part_corner *corner
             w = at[0] * in->weight[0][i] + at[1] * in->weight[1][i] + at[2] * in->weight[2][i];
             w = i == 2 ? rest : w >> 15;
         }
-        weight[i] = (uint16_t)w;
+        weight[i] = fx_u16(w);
         rest -= w;
     }
 }
@@ -76,7 +76,7 @@ void part_between(const struct shade_input *in, const struct part_corner *a, con
                   struct part_corner *out)
 {
     for (int i = 0; i < 2; i++)
-        out->weight[i] = (uint16_t)((a->weight[i] + b->weight[i]) >> 1);
+        out->weight[i] = fx_u16((a->weight[i] + b->weight[i]) >> 1);
     part_shade(in, out);
 }
 
@@ -90,7 +90,7 @@ struct shape {
 
 static uint32_t size_of(int32_t v)
 {
-    return (uint32_t)(v < 0 ? -v : v);
+    return fx_u32(v < 0 ? -v : v);
 }
 
 /* x 2^up or x 2^-down, rounded to 0: rounded down, -2^14 would be among them, whose square plane_quadratic() does not
@@ -106,7 +106,7 @@ static struct shape shape_of(const struct part_place p[3])
     /* differences of places: at most 2^30 */
     struct shape s = {p[1].x - p[0].x, p[1].y - p[0].y, p[2].x - p[0].x, p[2].y - p[0].y, 0, 0, 0};
     const uint32_t largest = size_of(s.x1) | size_of(s.y1) | size_of(s.x2) | size_of(s.y2);
-    const int scale = largest ? (int)fx_clz(largest) - 18 : 0, down = scale < 0 ? -scale : 0,
+    const int scale = largest ? fx_s32(fx_clz(largest)) - 18 : 0, down = scale < 0 ? -scale : 0,
               up = scale > 0 ? scale : 0;
     s.lost = ((s.x1 | s.y1 | s.x2 | s.y2) & ((1 << down) - 1)) != 0;
     s.x1 = scaled(s.x1, up, down);
@@ -132,8 +132,8 @@ static int32_t height_of(const struct shape *s)
     a = a > c ? a : c; /* below 2^16 */
     if (s->det <= 0)
         return 0;
-    uint32_t height = (uint32_t)s->det / a;
-    return (int32_t)(s->scale >= 0 ? height >> s->scale : height << -s->scale);
+    uint32_t height = fx_u32(s->det) / a;
+    return fx_s32(s->scale >= 0 ? height >> s->scale : height << -s->scale);
 }
 
 int32_t part_height(const struct part_place p[3])
@@ -172,7 +172,7 @@ static __attribute__((noinline)) int frame_setup(struct frame *frame, const stru
     frame->lost = s->lost;
     if (s->det <= 0)
         return 0;
-    const int zeros = (int)fx_clz((uint32_t)s->det);
+    const int zeros = fx_s32(fx_clz(fx_u32(s->det)));
     plane->x1 = s->x1;
     plane->y1 = s->y1;
     plane->x2 = s->x2;
@@ -182,10 +182,10 @@ static __attribute__((noinline)) int frame_setup(struct frame *frame, const stru
     plane->whole_x2 = (p[2].x - p[0].x) >> 15;
     plane->whole_y2 = (p[2].y - p[0].y) >> 15;
     plane->scale = s->scale;
-    plane->det = s->scale >= 0 ? (uint32_t)s->det >> 2 * s->scale : (uint32_t)s->det << -2 * s->scale;
+    plane->det = s->scale >= 0 ? fx_u32(s->det) >> 2 * s->scale : fx_u32(s->det) << -2 * s->scale;
     plane->up = zeros + 2 * s->scale;
-    plane->r = fx_recip_norm((uint32_t)s->det << zeros);
-    plane->half = (int32_t)(plane->r >> 1);
+    plane->r = fx_recip_norm(fx_u32(s->det) << zeros);
+    plane->half = fx_s32(plane->r >> 1);
     plane->shift = zeros + s->scale - 14;
     plane->sliver = 0;
     /* the set-up's origin from the picture's centre: at most 2^14 sub-pixels; differences 2^30 */
@@ -199,9 +199,9 @@ static __attribute__((noinline)) int frame_setup(struct frame *frame, const stru
 /* The same polynomial from the set-up's origin. Slopes are below 2^31 a pixel. */
 FX_WRAPS static void move(const struct frame *frame, struct polynomial *p)
 {
-    const uint32_t i = (uint32_t)frame->i, j = (uint32_t)frame->j;
-    p->f += (uint32_t)(fx_mulhi_s32((int32_t)p->d, frame->rest_x * (1 << 13)) +
-                       fx_mulhi_s32((int32_t)p->e, frame->rest_y * (1 << 13)));
+    const uint32_t i = fx_wrap_u32(frame->i), j = fx_wrap_u32(frame->j);
+    p->f += fx_wrap_u32(fx_mulhi_s32(fx_wrap_s32(p->d), frame->rest_x * (1 << 13)) +
+                        fx_mulhi_s32(fx_wrap_s32(p->e), frame->rest_y * (1 << 13)));
     p->f += p->a * i * i + p->b * j * j + p->c * i * j - p->d * i - p->e * j;
     p->d -= 2 * p->a * i + p->c * j;
     p->e -= 2 * p->b * j + p->c * i;
@@ -232,18 +232,18 @@ static __attribute__((noinline)) void narrow(struct shade_setup *setup, const st
         const int next = k == 2 ? 0 : k + 1;
         const int32_t x = p[next].x - p[k].x, y = p[next].y - p[k].y; /* at most 2^30 */
         const int32_t axis = size_of(y) > size_of(x) ? y : x;
-        if ((int32_t)size_of(axis) <= longest)
+        if (fx_s32(size_of(axis)) <= longest)
             continue;
-        longest = (int32_t)size_of(axis);
+        longest = fx_s32(size_of(axis));
         steep = axis == y;
         from = axis > 0 ? k : next;
         to = axis > 0 ? next : k;
     }
-    const unsigned up = fx_clz((uint32_t)longest);
-    const int64_t inverse = fx_recip_norm((uint32_t)longest << up); /* 2^63 / longest 2^up, 1 <= up <= 12 */
-    int64_t off = 0;                                                /* thrice the way from the middle to the origin */
+    const unsigned up = fx_clz(fx_u32(longest));
+    const int64_t inverse = fx_recip_norm(fx_u32(longest) << up); /* 2^63 / longest 2^up, 1 <= up <= 12 */
+    int64_t off = 0;                                              /* thrice the way from the middle to the origin */
     for (int k = 0; k < 3; k++)
-        off += steep ? oy - (int64_t)p[k].y : ox - (int64_t)p[k].x;
+        off += steep ? oy - fx_s64(p[k].y) : ox - fx_s64(p[k].x);
     for (unsigned c = 0; c < surface_channels(in->surface); c++) {
         const int32_t first = corner[from]->colour[c] >> 2, last = corner[to]->colour[c] >> 2;
         const int32_t sum = (corner[0]->colour[c] >> 2) + (corner[1]->colour[c] >> 2) + (corner[2]->colour[c] >> 2);
@@ -251,8 +251,8 @@ static __attribute__((noinline)) void narrow(struct shade_setup *setup, const st
         struct channel *channel = &setup->channel[c];
         channel->exact = 0;
         channel->p = (struct polynomial){0, 0, 0, 0, 0, 0};
-        channel->p.f = (uint32_t)fx_divide_s64(((int64_t)sum << 16) + (slope * off >> 19), 3); /* 2^30 * 3 2^30 */
-        *(steep ? &channel->p.e : &channel->p.d) = (uint32_t)slope;
+        channel->p.f = fx_wrap_u32(fx_divide_s64((fx_s64(sum) << 16) + (slope * off >> 19), 3)); /* 2^30 * 3 2^30 */
+        *(steep ? &channel->p.e : &channel->p.d) = fx_wrap_u32(fx_s32(slope));
     }
 }
 
@@ -285,7 +285,7 @@ int part_linear(struct shade_setup *setup, const struct shade_input *in, const s
 
 static uint32_t shifted_down(uint32_t x, int down)
 {
-    return (uint32_t)((int32_t)x >> down);
+    return fx_u32(fx_s32(x) >> down);
 }
 
 static void scale_down(struct polynomial *p, int down)

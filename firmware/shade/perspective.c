@@ -7,16 +7,16 @@ int perspective_setup(struct perspective *p, const struct shade_input *in)
     if (!USES(USES_PERSPECTIVE) || !in->divides)
         return 0;
     for (int k = 0; k < 3; k++) {
-        uint32_t depth = (uint16_t)in->place[k][VERTEX_DEPTH];
+        uint32_t depth = fx_wrap_u16(in->place[k][VERTEX_DEPTH]);
         closeness[k] = depth > DEPTH_FAR ? depth - DEPTH_FAR : 1;
         most |= closeness[k];
     }
     if (closeness[0] == closeness[1] && closeness[1] == closeness[2])
         return 0;
-    p->up = (uint8_t)(fx_clz(most) - 16);
+    p->up = fx_u8(fx_clz(most) - 16);
     p->quadratic = perspective_quadratic;
     for (int k = 0; k < 3; k++)
-        p->s[k] = (uint16_t)(closeness[k] << p->up);
+        p->s[k] = fx_u16(closeness[k] << p->up);
     return 1;
 }
 
@@ -31,7 +31,7 @@ void perspective_linear(const struct perspective *p, const struct plane *plane, 
 
 static int32_t saturated(int64_t x)
 {
-    return x > INT32_MAX ? INT32_MAX : x < INT32_MIN ? INT32_MIN : (int32_t)x;
+    return x > INT32_MAX ? INT32_MAX : x < INT32_MIN ? INT32_MIN : fx_s32(x);
 }
 
 /* sum Vi li (sum li) - sum Bij li lj has Vi + Vj - Bij before li lj: Vi = Ii si^2, Bij = Vi + Vj - (Ii + Ij - aij) si
@@ -41,14 +41,14 @@ void perspective_numerator(const struct perspective *p, const int32_t value[3], 
                            int32_t b[3])
 {
     for (int k = 0; k < 3; k++) { /* Q14 * Q32 */
-        uint32_t square = (uint32_t)p->s[k] * p->s[k];
-        v[k] = (int32_t)(((int64_t)value[k] * square) >> 16);
+        uint32_t square = fx_u32(p->s[k]) * p->s[k];
+        v[k] = fx_s32((fx_s64(value[k]) * square) >> 16);
     }
     for (int k = 0; k < 3; k++) { /* |Ii + Ij - aij| < 2^3 in Q28, times Q32: below 2^63 */
         int j = k == 2 ? 0 : k + 1;
-        int64_t middle = (int64_t)(value[k] + value[j]) * (1 << 14) - bulge[k];
-        uint32_t product = (uint32_t)p->s[k] * p->s[j];
-        b[k] = saturated((((int64_t)v[k] + v[j]) >> 2) - (int64_t)((middle * (int64_t)(product >> 1)) >> 31));
+        int64_t middle = fx_s64(value[k] + value[j]) * (1 << 14) - bulge[k];
+        uint32_t product = fx_u32(p->s[k]) * p->s[j];
+        b[k] = saturated(((fx_s64(v[k]) + v[j]) >> 2) - fx_s64((middle * fx_s64(product >> 1)) >> 31));
     }
 }
 

@@ -50,30 +50,30 @@ struct perspective_divisor {
 static inline struct perspective_divisor perspective_divisor_of(uint32_t w)
 {
     const unsigned zeros = fx_clz(w);
-    return (struct perspective_divisor){(int32_t)(fx_recip_norm(w << zeros) >> 1), zeros};
+    return (struct perspective_divisor){fx_s32(fx_recip_norm(w << zeros) >> 1), zeros};
 }
 
 /* up' <= 15, so that twice it can be shifted by: W is at least 2^-16 of what the largest s may be. */
 static inline struct perspective_divisor perspective_divisor(uint32_t depth, unsigned up)
 {
-    const uint32_t least = (1u << 16) >> (up < 4 ? up : 4), far = (uint32_t)DEPTH_FAR << 16;
+    const uint32_t least = (1u << 16) >> (up < 4 ? up : 4), far = fx_u32(DEPTH_FAR) << 16;
     uint32_t w = depth > far + least ? depth - far : least;
     unsigned zeros = fx_clz(w);
-    return (struct perspective_divisor){(int32_t)(fx_recip_norm(w << zeros) >> 1), zeros > up ? zeros - up : 0};
+    return (struct perspective_divisor){fx_s32(fx_recip_norm(w << zeros) >> 1), zeros > up ? zeros - up : 0};
 }
 
 /* P / W of |P| < |v| W: the result is below 2^31 where |v| is. With W = w 2^-up, w in [1/2, 1): P 2^up is v w, below
  * 2^31, and half / 2^30 is 1 / w. The lowest two bits are lost. */
-FX_WRAPS static inline int32_t perspective_divide(int32_t p, struct perspective_divisor by)
+static inline int32_t perspective_divide(int32_t p, struct perspective_divisor by)
 {
-    return (int32_t)((uint32_t)fx_mulhi_s32((int32_t)((uint32_t)p << by.up), by.half) << 2);
+    return fx_shl(fx_mulhi_s32(fx_shl(p, by.up), by.half), 2);
 }
 
 /* Q / W^2 likewise. */
-FX_WRAPS static inline int32_t perspective_divide_twice(int32_t q, struct perspective_divisor by)
+static inline int32_t perspective_divide_twice(int32_t q, struct perspective_divisor by)
 {
-    int32_t once = (int32_t)((uint32_t)fx_mulhi_s32((int32_t)((uint32_t)q << 2 * by.up), by.half) << 2);
-    return (int32_t)((uint32_t)fx_mulhi_s32(once, by.half) << 2);
+    int32_t once = fx_shl(fx_mulhi_s32(fx_shl(q, 2 * by.up), by.half), 2);
+    return fx_shl(fx_mulhi_s32(once, by.half), 2);
 }
 
 #endif

@@ -24,7 +24,7 @@ void shade_phong_perspective(struct shade_setup *setup, const struct shade_input
         shade_phong(setup, in);
         return;
     }
-    setup->perspective = (uint8_t)(perspective.up + 1u);
+    setup->perspective = fx_u8(perspective.up + 1u);
     find_normals(in, normal);
     piece_vectors_perspective(setup, in, &perspective, normal, setup->channel);
     piece_place_perspective(setup, in, &perspective);

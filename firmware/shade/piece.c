@@ -26,14 +26,13 @@ void piece_quadratic(const uint16_t (*w)[3], int32_t value[3], int32_t bulge[3])
         for (int i = 0; i < 3; i++) { /* weights sum to 2^15: |linear| <= 2^30, |bend| <= 2^29 / 3 */
             int j = i == 2 ? 0 : i + 1;
             linear += value[i] * w[k][i];
-            bend +=
-                fx_mulhi_s32(bulge[i], (int32_t)((uint32_t)w[k][i] * w[k][j])); /* Q28 * Q30: Q26; product <= 2^30 */
+            bend += fx_mulhi_s32(bulge[i], fx_s32(fx_u32(w[k][i]) * w[k][j])); /* Q28 * Q30: Q26; product <= 2^30 */
         }
         v[k] = (linear >> 15) - (bend >> 12);
         int next = k == 2 ? 0 : k + 1;
         int32_t d[3], sum = 0;
         for (int i = 0; i < 3; i++)
-            d[i] = (int32_t)w[next][i] - w[k][i]; /* |d| <= 2^15 */
+            d[i] = fx_s32(w[next][i]) - w[k][i]; /* |d| <= 2^15 */
         for (int i = 0; i < 3; i++)
             sum += fx_mulhi_s32(bulge[i], d[i] * d[i == 2 ? 0 : i + 1]);
         const int32_t most = INT32_MAX / 4; /* |sum| <= 5/4 * 2^29 */
@@ -108,7 +107,7 @@ void piece_place_perspective(struct shade_setup *setup, const struct shade_input
                         place[2][axis] * in->weight[k][2] +
                         (((place[0][axis] - last) * finer[0] + (place[SHADE_TURN(1)][axis] - last) * finer[1]) >> 8);
             }
-            numerator[k] = (int32_t)((int64_t)value * perspective->s[k] >> 16);
+            numerator[k] = fx_s32(fx_s64(value) * perspective->s[k] >> 16);
         }
         plane_linear_wide(&setup->plane, numerator, &setup->channel[3 + axis]);
     }

@@ -20,9 +20,9 @@ static inline int scaled_up(const struct plane *plane)
 /* i, or the nearest of [0, size). */
 static inline int32_t inside(int32_t i, unsigned size)
 {
-    if ((uint32_t)i < size)
+    if (fx_wrap_u32(i) < size)
         return i;
-    return i < 0 ? 0 : (int32_t)size - 1;
+    return i < 0 ? 0 : fx_s32(size) - 1;
 }
 
 int plane_setup(struct plane *plane, const int16_t *const p[3], unsigned width, unsigned height)
@@ -37,14 +37,14 @@ int plane_setup(struct plane *plane, const int16_t *const p[3], unsigned width, 
     plane->whole_y1 = y1;
     plane->whole_x2 = x2;
     plane->whole_y2 = y2;
-    plane->det = (uint32_t)det;
-    plane->up = (int32_t)fx_clz((uint32_t)det);
-    plane->r = fx_recip_norm((uint32_t)det << plane->up);
-    plane->half = (int32_t)(plane->r >> 1);
+    plane->det = fx_u32(det);
+    plane->up = fx_s32(fx_clz(fx_u32(det)));
+    plane->r = fx_recip_norm(fx_u32(det) << plane->up);
+    plane->half = fx_s32(plane->r >> 1);
 
-    uint32_t largest = (uint32_t)(x1 < 0 ? -x1 : x1) | (uint32_t)(y1 < 0 ? -y1 : y1) | (uint32_t)(x2 < 0 ? -x2 : x2) |
-                       (uint32_t)(y2 < 0 ? -y2 : y2); /* as good as the maximum for counting bits */
-    const int scale = (int)fx_clz(largest) - 18;
+    uint32_t largest = fx_u32(x1 < 0 ? -x1 : x1) | fx_u32(y1 < 0 ? -y1 : y1) | fx_u32(x2 < 0 ? -x2 : x2) |
+                       fx_u32(y2 < 0 ? -y2 : y2); /* as good as the maximum for counting bits */
+    const int scale = fx_s32(fx_clz(largest)) - 18;
     if (scale >= 0) {
         x1 *= 1 << scale;
         y1 *= 1 << scale;
@@ -65,7 +65,7 @@ int plane_setup(struct plane *plane, const int16_t *const p[3], unsigned width, 
     plane->sliver = scaled_up(plane) > MOST_UP_LINEAR;
 
     /* The origin stays in the picture: a rounded second difference errs with the square of the distance from it. */
-    const int32_t left = x0 + 8 * (int32_t)width, top = y0 + 8 * (int32_t)height;
+    const int32_t left = x0 + 8 * fx_s32(width), top = y0 + 8 * fx_s32(height);
     plane->ox = inside(left >> 4, width);
     plane->oy = inside(top >> 4, height);
     plane->fx = plane->ox * 16 + 8 - left;
@@ -80,17 +80,17 @@ void plane_setup_quadratic(struct plane *plane)
     uint32_t height = plane->scale > 0 ? plane->det << plane->scale : plane->det >> -plane->scale;
     plane->thin = scaled_up(plane) > MOST_UP_QUADRATIC || height < 32u << 14;
     plane->slim = plane->sliver || height < 1u << 12; /* see plane_quadratic_wide() */
-    plane->r2 = (int32_t)(fx_mulhi_u32(plane->r, plane->r) >> 1);
+    plane->r2 = fx_s32(fx_mulhi_u32(plane->r, plane->r) >> 1);
     /* within -8..23 sixteenths of corner 0, or not */
-    plane->far = ((uint32_t)((plane->fx + 8) | (plane->fy + 8)) >> 5 | (uint32_t)plane->scale >> 31) != 0;
+    plane->far = (fx_wrap_u32((plane->fx + 8) | (plane->fy + 8)) >> 5 | fx_wrap_u32(plane->scale) >> 31) != 0;
 }
 
-/* x * 2^up modulo 2^32, or rounded to nearest for up < 0. */
-FX_WRAPS static inline uint32_t shifted(int32_t x, int up)
+/* x * 2^up, which fits, or rounded to nearest for up < 0. */
+static inline int32_t shifted(int32_t x, int up)
 {
     if (up >= 0)
-        return (uint32_t)x << up;
-    return up < -31 ? 0 : (uint32_t)((x + (int32_t)(1u << (-up - 1))) >> -up);
+        return fx_shl(x, up);
+    return up < -31 ? 0 : (x + fx_s32(1u << (-up - 1))) >> -up;
 }
 
 /* Corner differences d1, d2, |d| < 2^16, across the edges: det * 2^(2 scale) times the gradient, by 2^-scale. */
@@ -119,22 +119,22 @@ static inline struct slope slope_of(const struct plane *p, int32_t d1, int32_t d
 }
 
 /* The gradient: a sixteenth of a pixel's step, times 2^16. */
-FX_WRAPS static inline void gradient(const struct plane *p, struct slope n, uint32_t *gx, uint32_t *gy)
+static inline void gradient(const struct plane *p, struct slope n, uint32_t *gx, uint32_t *gy)
 {
     /* n / (det 2^(2 scale)) * 2^(16 + scale) = n * (r / 2^33) * 2^(up - scale - 14) */
     const int32_t x = fx_mulhi_s32(n.x, p->half), y = fx_mulhi_s32(n.y, p->half);
     const int up = p->shift; /* -13..17 */
     if (up >= 0) {
-        *gx = (uint32_t)x << up;
-        *gy = (uint32_t)y << up;
+        *gx = fx_wrap_shl(fx_wrap_u32(x), fx_u32(up));
+        *gy = fx_wrap_shl(fx_wrap_u32(y), fx_u32(up));
     } else {
         const int32_t round = 1 << (-up - 1);
-        *gx = (uint32_t)((x + round) >> -up);
-        *gy = (uint32_t)((y + round) >> -up);
+        *gx = fx_wrap_u32((x + round) >> -up);
+        *gy = fx_wrap_u32((y + round) >> -up);
     }
 }
 
-FX_WRAPS void plane_linear(const struct plane *plane, const int32_t value[3], struct channel *channel)
+void plane_linear(const struct plane *plane, const int32_t value[3], struct channel *channel)
 {
     channel->exact = plane->sliver; /* PLANE_EXACT */
     if (plane->sliver) {
@@ -144,9 +144,10 @@ FX_WRAPS void plane_linear(const struct plane *plane, const int32_t value[3], st
     uint32_t gx, gy;
     gradient(plane, slope_of(plane, value[1] - value[0], value[2] - value[0]), &gx, &gy);
     struct polynomial *p = &channel->p;
-    p->f = ((uint32_t)value[0] << 16) + gx * (uint32_t)plane->fx + gy * (uint32_t)plane->fy;
-    p->d = gx << 4;
-    p->e = gy << 4;
+    p->f = fx_wrap_add(fx_wrap_add(fx_wrap_shl(fx_wrap_u32(value[0]), 16), fx_wrap_mul(gx, fx_wrap_u32(plane->fx))),
+                       fx_wrap_mul(gy, fx_wrap_u32(plane->fy)));
+    p->d = fx_wrap_shl(gx, 4);
+    p->e = fx_wrap_shl(gy, 4);
     p->a = p->b = p->c = 0;
 }
 
@@ -177,15 +178,20 @@ static inline int curve_shift(const struct plane *p)
     return 2 * (p->up - p->scale) - 22;
 }
 
-FX_WRAPS static inline int32_t second_difference(const struct plane *p, int32_t curve, int up)
+static inline int32_t second_difference(const struct plane *p, int32_t curve, int up)
 {
-    return (int32_t)shifted(fx_mulhi_s32(curve, p->r2), curve_shift(p) + up);
+    return shifted(fx_mulhi_s32(curve, p->r2), curve_shift(p) + up);
 }
 
-/* Where the origin is the centre of corner 0's pixel. Heights are at least 2 pixels, so the second differences are at
- * most 5/4 and 5/2 of 2^30 at the very worst bend; products are taken modulo 2^32, the results fit. */
-FX_WRAPS void plane_quadratic(const struct plane *plane, const int32_t value[3], const int32_t bulge[3],
-                              struct channel *channel)
+/* By how much a place x, y off changes what has these slopes. */
+FX_WRAPS static inline uint32_t moved(int32_t gx, int32_t x, int32_t gy, int32_t y)
+{
+    return fx_wrap_u32(gx) * fx_wrap_u32(x) + fx_wrap_u32(gy) * fx_wrap_u32(y);
+}
+
+/* Where the origin is near the centre of corner 0's pixel. Heights are at least 2 pixels, so the second differences are
+ * at most 5/4 (a, b) and 1.95 (c) of 2^30 at the very worst bends; products are taken modulo 2^32, the results fit. */
+void plane_quadratic(const struct plane *plane, const int32_t value[3], const int32_t bulge[3], struct channel *channel)
 {
     channel->exact = 0;
     if (plane->thin || plane->far) {
@@ -202,24 +208,34 @@ FX_WRAPS void plane_quadratic(const struct plane *plane, const int32_t value[3],
     const int32_t a = second_difference(plane, curve.a, 0), b = second_difference(plane, curve.b, 0),
                   c = second_difference(plane, curve.c, 1), fx = plane->fx, fy = plane->fy;
     struct polynomial *p = &channel->p;
-    p->f += (uint32_t)((a >> 8) * (fx * fx)) + (uint32_t)((b >> 8) * (fy * fy)) + (uint32_t)((c >> 8) * (fx * fy));
-    p->d += (uint32_t)(a >> 3) * (uint32_t)fx + (uint32_t)(c >> 4) * (uint32_t)fy;
-    p->e += (uint32_t)(b >> 3) * (uint32_t)fy + (uint32_t)(c >> 4) * (uint32_t)fx;
-    p->a = (uint32_t)a;
-    p->b = (uint32_t)b;
-    p->c = (uint32_t)c;
+    fx_wrap_inc(&p->f, fx_wrap_add(moved(a >> 8, fx * fx, b >> 8, fy * fy),
+                                   fx_wrap_mul(fx_wrap_u32(c >> 8), fx_wrap_u32(fx * fy))));
+    fx_wrap_inc(&p->d, moved(a >> 3, fx, c >> 4, fy));
+    fx_wrap_inc(&p->e, moved(b >> 3, fy, c >> 4, fx));
+    p->a = fx_wrap_u32(a);
+    p->b = fx_wrap_u32(b);
+    p->c = fx_wrap_u32(c);
 }
 
-FX_WRAPS void plane_values(const struct plane *plane, const struct channel *channel, int x, int y, int n, int32_t *out)
+/* The value at column i, row j of the origin, and the step to the next column. */
+FX_WRAPS static inline uint32_t value_at(const struct polynomial *p, uint32_t i, uint32_t j)
+{
+    return p->f + (p->e + p->b * j) * j + (p->d + p->c * j + p->a * i) * i;
+}
+FX_WRAPS static inline uint32_t step_at(const struct polynomial *p, uint32_t i, uint32_t j)
+{
+    return p->d + p->c * j + p->a * (2 * i + 1);
+}
+
+void plane_values(const struct plane *plane, const struct channel *channel, int x, int y, int n, int32_t *out)
 {
     if (channel->exact) {
         plane_exact_values(plane, channel, x, y, n, out);
         return;
     }
     const struct polynomial *p = &channel->p;
-    uint32_t i = (uint32_t)(x - plane->ox), j = (uint32_t)(y - plane->oy);
-    uint32_t value = p->f + (p->e + p->b * j) * j + (p->d + p->c * j + p->a * i) * i;
-    uint32_t step = p->d + p->c * j + p->a * (2 * i + 1);
-    for (; n; n--, value += step, step += 2 * p->a)
-        *out++ = (int32_t)value;
+    const uint32_t i = fx_wrap_u32(x - plane->ox), j = fx_wrap_u32(y - plane->oy);
+    uint32_t value = value_at(p, i, j), step = step_at(p, i, j);
+    for (; n; n--, fx_wrap_inc(&value, step), fx_wrap_inc(&step, fx_wrap_mul(2, p->a)))
+        *out++ = fx_wrap_s32(value);
 }

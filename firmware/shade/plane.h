@@ -69,7 +69,10 @@ void plane_linear_wide(const struct plane *plane, const int32_t value[3], struct
 
 /* A quadratic channel in Q30: corner values in Q14, |v| <= 2^14 + 2^11, and the bulges of the edges 0-1, 1-2, 2-0 in
  * Q28: Phi = sum Ii li - sum aij li lj, so that a mid-edge sample is (Ii + Ij) / 2 - aij / 4; for X-shading (eq. 32,
- * order-free) aij = (Ii + Ij) kij. |a| <= 2^28, which that is for unit normals. */
+ * order-free) aij = (Ii + Ij) kij, which for unit normals is below .77. |a| <= PLANE_MOST_BULGE: of alternating signs,
+ * 2^28 would make the mixed difference 2.14 * 2^30 at the lowest height; or 2^28 where an edge bends half as much, as
+ * colours do. */
+#define PLANE_MOST_BULGE ((1u << 28) / 32 * 29)
 void plane_quadratic(const struct plane *plane, const int32_t value[3], const int32_t bulge[3],
                      struct channel *channel);
 

@@ -13,16 +13,16 @@ void plane_keep_corners(struct channel *channel, const int32_t value[3], const i
 /* x m / 2^32 2^up modulo 2^64, rounded where up < 0; |x| < 2^63. */
 FX_WRAPS static uint64_t product(int64_t x, uint32_t m, int up)
 {
-    const int64_t t = (x >> 32) * (int64_t)m + (int64_t)((uint64_t)(uint32_t)x * m >> 32);
+    const int64_t t = (x >> 32) * fx_s64(m) + fx_s64(fx_u64(fx_wrap_u32(x)) * m >> 32);
     if (up >= 0)
-        return (uint64_t)t << up;
-    return (uint64_t)((t + (INT64_C(1) << (-up - 1))) >> -up);
+        return fx_wrap_u64(t) << up;
+    return fx_wrap_u64((t + (INT64_C(1) << (-up - 1))) >> -up);
 }
 
 /* Q46 to Q30, rounded. */
 FX_WRAPS static uint32_t narrowed(uint64_t x)
 {
-    return (uint32_t)((x + (1u << 15)) >> 16);
+    return fx_wrap_u32((x + (1u << 15)) >> 16);
 }
 
 /* Gradient and half the second differences: a sub-pixel's steps, in Q46 of 1. */
@@ -41,8 +41,8 @@ static void find_gradient(const struct plane *p, int64_t d1, int64_t d2, struct 
  * 2^15, and half a unit of the last place becomes 2^-17 of a unit of Q30. */
 FX_WRAPS static void finish(const struct plane *plane, int32_t value, const struct wide *w, struct polynomial *p)
 {
-    const uint64_t x = (uint64_t)(int64_t)plane->fx, y = (uint64_t)(int64_t)plane->fy;
-    p->f = narrowed(((uint64_t)(int64_t)value << 16) + (w->gx + w->ax * x + w->axy * y) * x + (w->gy + w->ay * y) * y);
+    const uint64_t x = fx_wrap_u64(plane->fx), y = fx_wrap_u64(plane->fy);
+    p->f = narrowed((fx_wrap_u64(value) << 16) + (w->gx + w->ax * x + w->axy * y) * x + (w->gy + w->ay * y) * y);
     p->d = narrowed((w->gx + 2 * w->ax * x + w->axy * y) * 16);
     p->e = narrowed((w->gy + 2 * w->ay * y + w->axy * x) * 16);
     p->a = narrowed(w->ax * 256);
@@ -50,7 +50,7 @@ FX_WRAPS static void finish(const struct plane *plane, int32_t value, const stru
     p->c = narrowed(w->axy * 256);
 }
 
-FX_WRAPS void plane_linear_wide(const struct plane *plane, const int32_t value[3], struct channel *channel)
+void plane_linear_wide(const struct plane *plane, const int32_t value[3], struct channel *channel)
 {
     channel->exact = plane->sliver ? PLANE_EXACT_WIDE : 0;
     if (plane->sliver) {
@@ -59,11 +59,12 @@ FX_WRAPS void plane_linear_wide(const struct plane *plane, const int32_t value[3
     }
     struct wide w;
     struct polynomial *p = &channel->p;
-    find_gradient(plane, (int64_t)value[1] - value[0], (int64_t)value[2] - value[0], &w);
-    p->f = narrowed(((uint64_t)(int64_t)value[0] << 16) + w.gx * (uint64_t)(int64_t)plane->fx +
-                    w.gy * (uint64_t)(int64_t)plane->fy);
-    p->d = narrowed(w.gx * 16);
-    p->e = narrowed(w.gy * 16);
+    find_gradient(plane, fx_s64(value[1]) - value[0], fx_s64(value[2]) - value[0], &w);
+    p->f = narrowed(
+        fx_wrap_add(fx_wrap_add(fx_wrap_shl(fx_wrap_u64(value[0]), 16), fx_wrap_mul(w.gx, fx_wrap_u64(plane->fx))),
+                    fx_wrap_mul(w.gy, fx_wrap_u64(plane->fy))));
+    p->d = narrowed(fx_wrap_mul(w.gx, 16));
+    p->e = narrowed(fx_wrap_mul(w.gy, 16));
     p->a = p->b = p->c = 0;
 }
 
@@ -90,7 +91,7 @@ void plane_quadratic_wide(const struct plane *plane, const int32_t value[3], con
     int64_t a = bulge[0], b = bulge[2], c = a + b - bulge[1];
     const int up = 2 * plane->up - 42;
     struct wide w;
-    find_gradient(plane, (int64_t)value[1] - value[0] - a * 4, (int64_t)value[2] - value[0] - b * 4, &w);
+    find_gradient(plane, fx_s64(value[1]) - value[0] - a * 4, fx_s64(value[2]) - value[0] - b * 4, &w);
     /* det^2 times half the second differences, coefficients in Q26 and coordinates' products, at most 2^30:
      * twice (2^29 + 2^29 + 3 * 2^29) * 2^30 < 2^62.4. */
     const uint32_t r2 = fx_mulhi_u32(plane->r, plane->r);
@@ -99,7 +100,7 @@ void plane_quadratic_wide(const struct plane *plane, const int32_t value[3], con
     c >>= 2;
     w.ax = product(a * (y2 * y2) + b * (y1 * y1) - c * (y1 * y2), r2, up);
     w.ay = product(a * (x2 * x2) + b * (x1 * x1) - c * (x1 * x2), r2, up);
-    w.axy = product(c * ((int64_t)x1 * y2 + (int64_t)x2 * y1) - 2 * (a * (x2 * y2) + b * (x1 * y1)), r2, up);
+    w.axy = product(c * (fx_s64(x1) * y2 + fx_s64(x2) * y1) - 2 * (a * (x2 * y2) + b * (x1 * y1)), r2, up);
     finish(plane, value[0], &w, &channel->p);
 }
 
@@ -112,32 +113,35 @@ void plane_quadratic_large(const struct plane *plane, const int32_t value[3], co
 
 /* The barycentric way: u, v, w in Q16 from edge functions, clamped to the triangle. (px, py) is the pixel's centre from
  * corner 0 in sub-pixels. */
-FX_WRAPS static int32_t exact_value(const struct plane *plane, const struct channel *channel, int32_t px, int32_t py)
+static int32_t exact_value(const struct plane *plane, const struct channel *channel, int32_t px, int32_t py)
 {
     const int32_t *value = channel->corner.value, *bulge = channel->corner.bulge;
     /* |px|, |py| <= 2^15. Inside the triangle both numerators lie in [0, det]: they fit though a product's difference
      * may not on the way. */
-    int32_t nu = (int32_t)((uint32_t)(px * plane->whole_y2) - (uint32_t)(py * plane->whole_x2));
-    int32_t nv = (int32_t)((uint32_t)(py * plane->whole_x1) - (uint32_t)(px * plane->whole_y1));
-    int32_t det = (int32_t)plane->det;
+    int32_t nu = fx_wrap_s32(fx_wrap_sub(fx_wrap_u32(px * plane->whole_y2), fx_wrap_u32(py * plane->whole_x2)));
+    int32_t nv = fx_wrap_s32(fx_wrap_sub(fx_wrap_u32(py * plane->whole_x1), fx_wrap_u32(px * plane->whole_y1)));
+    int32_t det = fx_s32(plane->det);
     nu = nu < 0 ? 0 : nu > det ? det : nu;
     nv = nv < 0 ? 0 : nv > det - nu ? det - nu : nv;
-    uint32_t u = fx_mulhi_u32((uint32_t)nu << plane->up, plane->r) >> 15; /* n / det in Q31, then Q16: <= 65536 */
-    uint32_t v = fx_mulhi_u32((uint32_t)nv << plane->up, plane->r) >> 15;
+    uint32_t u = fx_mulhi_u32(fx_u32(nu) << plane->up, plane->r) >> 15; /* n / det in Q31, then Q16: <= 65536 */
+    uint32_t v = fx_mulhi_u32(fx_u32(nv) << plane->up, plane->r) >> 15;
     v = u + v > 65536 ? 65536 - u : v;
     uint32_t w = 65536 - u - v;
     /* Corner values differ by less than 2^16; the true sum fits, the products are modulo 2^32. Weights' products are
      * Q32, at most 2^30. */
     uint32_t linear;
     if (channel->exact == PLANE_EXACT_WIDE) /* weights in Q30: a quarter of each term */
-        linear = (uint32_t)(fx_mulhi_s32(value[0], (int32_t)(w << 14)) + fx_mulhi_s32(value[1], (int32_t)(u << 14)) +
-                            fx_mulhi_s32(value[2], (int32_t)(v << 14)))
-                 << 2;
+        linear =
+            fx_wrap_shl(fx_wrap_u32(fx_mulhi_s32(value[0], fx_s32(w << 14)) + fx_mulhi_s32(value[1], fx_s32(u << 14)) +
+                                    fx_mulhi_s32(value[2], fx_s32(v << 14))),
+                        2);
     else
-        linear = ((uint32_t)value[0] << 16) + (uint32_t)(value[1] - value[0]) * u + (uint32_t)(value[2] - value[0]) * v;
-    int32_t bend = fx_mulhi_s32(bulge[0], (int32_t)(w * u)) + fx_mulhi_s32(bulge[1], (int32_t)(u * v)) +
-                   fx_mulhi_s32(bulge[2], (int32_t)(v * w));
-    return (int32_t)(linear - ((uint32_t)bend << 2));
+        linear = fx_wrap_add(
+            fx_wrap_add(fx_wrap_shl(fx_wrap_u32(value[0]), 16), fx_wrap_mul(fx_wrap_u32(value[1] - value[0]), u)),
+            fx_wrap_mul(fx_wrap_u32(value[2] - value[0]), v));
+    int32_t bend = fx_mulhi_s32(bulge[0], fx_s32(w * u)) + fx_mulhi_s32(bulge[1], fx_s32(u * v)) +
+                   fx_mulhi_s32(bulge[2], fx_s32(v * w));
+    return fx_wrap_s32(fx_wrap_sub(linear, fx_wrap_shl(fx_wrap_u32(bend), 2)));
 }
 
 void plane_exact_values(const struct plane *plane, const struct channel *channel, int x, int y, int n, int32_t *out)

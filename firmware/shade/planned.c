@@ -42,9 +42,9 @@ static inline __attribute__((always_inline)) void interpolate(struct shade_setup
     if (shade_weight(in))
         piece_quadratic(shade_weight(in), value, bulge);
     if (index & 1) {
-        setup->runs_only |= (uint8_t)dots_deep(s->power, range, bend);
+        setup->runs_only |= fx_u8(dots_deep(s->power, range, bend));
         if (USES(USES_FORMATS & ~USES_GREY4))
-            setup->wide |= (uint8_t)dots_wide(s->power, range, bend);
+            setup->wide |= fx_u8(dots_wide(s->power, range, bend));
     } else if (folds) {
         steps_take(setup, s, range, bend, value, factors ? bulge : 0);
     }
@@ -52,7 +52,7 @@ static inline __attribute__((always_inline)) void interpolate(struct shade_setup
         dots_quadratic(setup, value, bulge, channel);
     else
         plane_linear(&setup->plane, value, channel);
-    setup->runs_only |= (uint8_t)(channel->exact != 0);
+    setup->runs_only |= fx_u8(channel->exact != 0);
 }
 
 /* dots_length_factor() less 1, Q16: to 2^12 of bend its series k/2 + 3 k^2/8 + 5 k^3/16 + 35 k^4/128, within 1 of it,
@@ -60,9 +60,9 @@ static inline __attribute__((always_inline)) void interpolate(struct shade_setup
 static int32_t longer(uint32_t bend)
 {
     if (bend > 1u << 12)
-        return (int32_t)(dots_length_factor(bend) - (1u << 16));
+        return fx_s32(dots_length_factor(bend) - (1u << 16));
     const uint32_t third = bend * (20480 + (bend * 70 >> 8)) >> 16, second = bend * (24576 + third) >> 12;
-    return (int32_t)((bend * (524288 + second) + (1u << 19)) >> 20);
+    return fx_s32((bend * (524288 + second) + (1u << 19)) >> 20);
 }
 
 static __attribute__((noinline)) void linear(struct shade_setup *setup, const struct shade_input *in, unsigned index,
@@ -114,7 +114,7 @@ static void weigh(struct perspective *p)
     uint32_t most = p->s[0] > p->s[1] ? p->s[0] : p->s[1];
     most = p->s[2] > most ? p->s[2] : most;
     for (int k = 0; k < 3; k++)
-        p->s[k] = (uint16_t)(p->s[k] * 65535u / most);
+        p->s[k] = fx_u16(p->s[k] * 65535u / most);
 }
 
 /* Whether 1 - |N|^2 stays below 1/4, less 1/500 for the channel's error, where lengths are s |N|. */
@@ -136,8 +136,8 @@ static void numerator(struct shade_setup *setup, const struct shade_input *in, c
     if (shade_weight(in))
         piece_linear(shade_weight(in), value);
     if (index & 1) {
-        setup->runs_only |= (uint8_t)dots_deep(s->power, range, 2);
-        setup->wide |= (uint8_t)dots_wide(s->power, range, 2);
+        setup->runs_only |= fx_u8(dots_deep(s->power, range, 2));
+        setup->wide |= fx_u8(dots_wide(s->power, range, 2));
     }
     if (setup->length) {
         for (int k = 0; k < 3; k++) /* |v| <= 2^14 (1 + 2^-9), s < 2^16 */
@@ -148,7 +148,7 @@ static void numerator(struct shade_setup *setup, const struct shade_input *in, c
     } else {
         perspective_linear(p, &setup->plane, value, channel);
     }
-    setup->runs_only |= (uint8_t)(channel->exact != 0);
+    setup->runs_only |= fx_u8(channel->exact != 0);
 }
 
 static __attribute__((noinline)) void duff_in_perspective(struct shade_setup *setup, const struct shade_input *in,
@@ -156,7 +156,7 @@ static __attribute__((noinline)) void duff_in_perspective(struct shade_setup *se
 {
     int32_t value[3], bulge[3], squares[3], bulges[3];
     weigh(p);
-    setup->length = (uint8_t)(setup->length && is_long(p, in));
+    setup->length = fx_u8(setup->length && is_long(p, in));
     for (unsigned i = 0; i < surface_lights(in->surface); i++) {
         if (in->plan.diffuse >> i & 1)
             numerator(setup, in, p, 2 * i);
@@ -185,7 +185,7 @@ void shade_planned_duff(struct shade_setup *setup, const struct shade_input *in)
     setup->diffuse_lights = in->plan.diffuse;
     setup->specular_lights = in->plan.specular;
     plane_setup_quadratic(&setup->plane);
-    setup->length = (uint8_t)(duff_direct(setup, in) && shade_alone(setup));
+    setup->length = fx_u8(duff_direct(setup, in) && shade_alone(setup));
     if (USES(USES_PERSPECTIVE) && !in->plan.undivided && perspective_setup(&perspective, in)) {
         duff_in_perspective(setup, in, &perspective);
         return;

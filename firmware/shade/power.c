@@ -6,7 +6,7 @@
 static void run_exact(unsigned n, int32_t *value, int count)
 {
     for (int i = 0; i < count; i++)
-        value[i] = (int32_t)fx_power_exact(n, value[i]);
+        value[i] = fx_s32(fx_power_exact(n, value[i]));
 }
 
 const struct glint_power glint_power_exact = {run_exact, 0, 0, 0};
@@ -19,27 +19,26 @@ static inline __attribute__((always_inline)) int32_t squared(int32_t v, int squa
         return 0;
     if (v >= (1 << 30) - (1 << 13))
         return 32768;
-    uint32_t p = ((uint32_t)v + (1u << 13)) >> 14; /* at most 0xffff */
+    uint32_t p = (fx_u32(v) + (1u << 13)) >> 14; /* at most 0xffff */
     for (int i = 0; i < squarings; i++)
         p = (p * p + (1u << 15)) >> 16; /* p < 2^16: the square and the half below 2^32 */
-    return (int32_t)((p + 1) >> 1);
+    return fx_s32((p + 1) >> 1);
 }
 
 /* g = 2^squarings. Only 1 - s < min(1, g / n) gives more than 0, so that n (1 - s) / 16 is below 2^30. */
-FX_WRAPS static inline __attribute__((always_inline)) void run_free(unsigned n, int32_t *value, int count,
-                                                                    int squarings)
+static inline __attribute__((always_inline)) void run_free(unsigned n, int32_t *value, int count, int squarings)
 {
     const uint32_t one = 1u << 30, reach = n >> squarings ? (one >> 4) / n << (squarings + 4) : one;
     for (int i = 0; i < count; i++) {
-        uint32_t below = value[i] >= (int32_t)one ? 0 : one - (uint32_t)value[i];
-        value[i] = below >= reach ? 0 : squared((int32_t)(one - (n * (below >> 4) << (4 - squarings))), squarings);
+        uint32_t below = value[i] >= fx_s32(one) ? 0 : fx_wrap_sub(one, fx_wrap_u32(value[i]));
+        value[i] = below >= reach ? 0 : squared(fx_s32(one - (n * (below >> 4) << (4 - squarings))), squarings);
     }
 }
 
 /* n / g 2^-down in Q32, and what stands for N.H = 0. */
 static inline int32_t slope_of(unsigned n, unsigned down, unsigned squarings)
 {
-    return (int32_t)(n << (32 - squarings - down));
+    return fx_s32(n << (32 - squarings - down));
 }
 static inline int32_t offset_of(unsigned down, int32_t slope)
 {

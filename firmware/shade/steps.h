@@ -51,7 +51,7 @@ static inline void steps_take(struct shade_setup *setup, const struct surface *s
     if (bulge)
         steps_fold_bulges(surface, bulge);
     setup->in_steps = 1;
-    setup->plain = (uint8_t)steps_plain(surface, range, bend);
+    setup->plain = fx_u8(steps_plain(surface, range, bend));
 }
 
 #endif

@@ -41,7 +41,7 @@ static uint16_t reflected(const struct palette *palette, const uint16_t material
         rgb[c] = times(times(material[c], light[c]), share);
     to_steps(palette, rgb, 7, steps);
     for (unsigned c = 0; c < 3; c++) {
-        out[c] = (uint16_t)steps[c];
+        out[c] = fx_u16(steps[c]);
         most = out[c] > most ? out[c] : most;
     }
     return most;
@@ -68,14 +68,14 @@ static void weigh(const uint16_t diffuse[3], uint16_t grey[3])
     static const uint8_t share[3] = {77, 150, 29};
     uint32_t part[3], sum = 0, rest = 256;
     for (unsigned c = 0; c < 3; c++) { /* 2^15 * 150, and with it 2^8 more: below 2^31 */
-        part[c] = share[c] * (uint32_t)diffuse[c];
+        part[c] = share[c] * fx_u32(diffuse[c]);
         sum += part[c];
     }
     for (unsigned c = 2; c > 0; c--) {
-        grey[c] = (uint16_t)(sum ? ((part[c] << 8) + sum / 2) / sum : share[c]);
+        grey[c] = fx_u16(sum ? ((part[c] << 8) + sum / 2) / sum : share[c]);
         rest -= grey[c];
     }
-    grey[0] = (uint16_t)rest;
+    grey[0] = fx_u16(rest);
 }
 
 FX_COLD static void take_texture(struct surface_texture *texture, const struct scene_header *scene,
@@ -116,14 +116,14 @@ FX_COLD void surface_setup(struct surface *surface, const struct scene_header *s
     surface->channels = palette->channels;
     if (USES(USES_BUMP))
         find_bump(&surface->bump, scene, material->bump);
-    surface->lights = (uint8_t)scene->light_count;
+    surface->lights = fx_u8(scene->light_count);
     surface->highlights = 0;
     surface->bend_limit = limit[scene->light_count];
     for (unsigned c = 0; c < 3; c++)
         rgb[c] = times(times(material->diffuse[c], scene->ambient[c]), material->ka);
     to_steps(palette, rgb, 0, surface->base);
     for (unsigned c = 0; c < 3; c++)
-        surface->top[c] = (uint32_t)palette->top[c] << 15;
+        surface->top[c] = fx_u32(palette->top[c]) << 15;
     const struct scene_light *light = scene_lights(scene);
     for (unsigned i = 0; i < scene->light_count; i++) {
         surface->light[i].diffuse_most =
@@ -138,7 +138,7 @@ FX_COLD void surface_setup(struct surface *surface, const struct scene_header *s
     if (USES(USES_GREY8) && palette->channels == 1 && palette->top[0] == 255 && surface->lights &&
         !surface_form(surface)) {
         surface->fold = surface->light[0].diffuse[0];
-        surface->ambient = (uint16_t)((surface->base[0] >> 8) + (1 << 6));
+        surface->ambient = fx_u16((surface->base[0] >> 8) + (1 << 6));
     }
 }
 
@@ -172,12 +172,12 @@ FX_COLD void surface_plan(struct surface *surface, const struct palette *palette
     plan->highlights = surface->highlights;
     /* beyond it, where Phong goes straight into the band, Duff goes by runs */
     plan->duff_sum = surface_fold(surface) && surface->lights == 1 ? SHADE_LENGTH_SUM : UINT16_MAX;
-    plan->foot = (int16_t)((1 << 14) - ((1 << 14) >> surface->power->octave));
+    plan->foot = fx_s16((1 << 14) - ((1 << 14) >> surface->power->octave));
     for (unsigned c = 0; c < surface->channels; c++) {
         const uint32_t ambient = in_255(surface->base[c] >> 7, palette->top[c]);
         base = ambient > base ? ambient : base;
     }
-    plan->full = (uint16_t)(base < 255u << 8 ? (255u << 8) - base : 0);
+    plan->full = fx_u16(base < 255u << 8 ? (255u << 8) - base : 0);
     for (unsigned i = 0; i < surface->lights; i++) {
         uint32_t diffuse = 0, specular = 0;
         for (unsigned c = 0; c < surface->channels; c++) {
@@ -186,22 +186,22 @@ FX_COLD void surface_plan(struct surface *surface, const struct palette *palette
             diffuse = d > diffuse ? d : diffuse;
             specular = h > specular ? h : specular;
         }
-        plan->light[i].diffuse = (uint16_t)diffuse;
-        plan->light[i].specular = (uint16_t)specular;
+        plan->light[i].diffuse = fx_u16(diffuse);
+        plan->light[i].specular = fx_u16(specular);
     }
     /* Roundings may take as much as 1 beyond the budget; the rest is the budget's. */
     const uint32_t rough = roughness(plan), excess = rough > ROUNDINGS ? rough - ROUNDINGS : 0;
     plan->apart = USES(USES_TEXTURE) && surface->texture.texels;
     if (plan->apart)
-        budget = (uint16_t)(budget - PLAN_TEXTURE_SHARE(budget));
-    plan->spare = (uint16_t)(rough < ROUNDINGS ? ROUNDINGS - rough : 0);
+        budget = fx_u16(budget - PLAN_TEXTURE_SHARE(budget));
+    plan->spare = fx_u16(rough < ROUNDINGS ? ROUNDINGS - rough : 0);
     /* raster/spans_length.c: what is divided by the length straight into the band is off by 2^-13 */
     plan->lengths =
         surface_fold(surface)
-            ? (uint16_t)(((uint32_t)plan->light[0].specular * plan->power->exponent + plan->light[0].diffuse) >> 13) + 1
+            ? fx_u16((fx_u32(plan->light[0].specular) * plan->power->exponent + plan->light[0].diffuse) >> 13) + 1
             : 0;
     plan->sharp = excess > budget;
-    plan->budget = (uint16_t)(plan->sharp ? 0 : budget - excess);
+    plan->budget = fx_u16(plan->sharp ? 0 : budget - excess);
 }
 
 void surface_shade(const struct surface *surface, const int16_t *lights_q14, uint32_t *out)
@@ -211,11 +211,11 @@ void surface_shade(const struct surface *surface, const int16_t *lights_q14, uin
         out[c] = surface->base[c];
     for (unsigned i = 0; i < surface_lights(surface); i++) {
         int32_t l = lights_q14[2 * i], h = lights_q14[2 * i + 1];
-        uint32_t diffuse = l > 0 ? (uint32_t)l << 1 : 0;
+        uint32_t diffuse = l > 0 ? fx_u32(l) << 1 : 0;
         for (unsigned c = 0; c < channels; c++)
             out[c] += surface_diffuse(diffuse, surface->light[i].diffuse[c]);
         if (surface_highlights(surface) && h > 0) {
-            uint32_t power = surface_power(surface, (q30_t)(h << 16)); /* h < 2^14 */
+            uint32_t power = surface_power(surface, fx_s32(h << 16)); /* h < 2^14 */
             for (unsigned c = 0; c < channels; c++)
                 out[c] += surface_diffuse(power, surface->light[i].specular[c]);
         }

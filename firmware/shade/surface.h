@@ -100,7 +100,7 @@ static inline uint32_t surface_power(const struct surface *surface, q30_t n_dot_
     if (!surface_form(surface))
         return fx_power(surface->power, n_dot_h);
     surface->form->run(surface->power->exponent, &n_dot_h, 1);
-    return (uint32_t)n_dot_h;
+    return fx_u32(n_dot_h);
 }
 
 /* The finished colour at N.L, N.H in Q14 of each light (a vertex record's), clamped to [0, top], Q15 steps. */

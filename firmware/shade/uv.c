@@ -25,7 +25,7 @@ int32_t uv_ratio(uint32_t si, uint32_t sj)
 {
     const uint32_t sum = si + sj, difference = si > sj ? si - sj : sj - si; /* sum below 2^17 and not 0 */
     const unsigned up = fx_clz(sum);
-    const int32_t ratio = (int32_t)(fx_mulhi_u32(difference << up, fx_recip_norm(sum << up)) >> 1);
+    const int32_t ratio = fx_s32(fx_mulhi_u32(difference << up, fx_recip_norm(sum << up)) >> 1);
     return si > sj ? ratio : -ratio;
 }
 
@@ -38,7 +38,7 @@ static void quadratic(struct shade_setup *setup, const struct uv_corners *uv)
         const int32_t *value = uv->value[axis];
         int32_t bulge[3];
         for (int k = 0; k < 3; k++)
-            bulge[k] = uv_bulge((int64_t)value[k] - value[k == 2 ? 0 : k + 1], ratio[k]);
+            bulge[k] = uv_bulge(fx_s64(value[k]) - value[k == 2 ? 0 : k + 1], ratio[k]);
         plane_quadratic_wide(&setup->plane, value, bulge, &setup->uv[axis]);
     }
 }
@@ -50,7 +50,7 @@ static uint32_t range_of(const int32_t value[3])
         low = value[k] < low ? value[k] : low;
         high = value[k] > high ? value[k] : high;
     }
-    return (uint32_t)((int64_t)high - low);
+    return fx_u32(fx_s64(high) - low);
 }
 
 struct texture_spread uv_spread(const struct uv_corners *uv, const struct surface_texture *texture)
@@ -62,7 +62,7 @@ struct texture_spread uv_spread(const struct uv_corners *uv, const struct surfac
         least = s[k] < least ? s[k] : least;
         most = s[k] > most ? s[k] : most;
     }
-    const int32_t ratio = uv_ratio((uint32_t)most, (uint32_t)least) >> 15;
+    const int32_t ratio = uv_ratio(fx_u32(most), fx_u32(least)) >> 15;
     return texture_spread(texture->head, d, uv->distant ? 0 : ratio + 1, texture->lit);
 }
 
@@ -74,7 +74,7 @@ void uv_setup_corners(struct shade_setup *setup, const struct uv_corners *uv, un
         plane_setup_quadratic(&setup->plane);
     if (kind != GLINT_TEXTURE_AFFINE && (kind != GLINT_TEXTURE_QUADRATIC || setup->plane.thin))
         kind = GLINT_TEXTURE_PERSPECTIVE;
-    setup->uv_kind = (uint8_t)kind;
+    setup->uv_kind = fx_u8(kind);
     setup->uv_up = uv->up;
     if (kind == GLINT_TEXTURE_QUADRATIC) {
         quadratic(setup, uv);

@@ -42,8 +42,7 @@ int32_t uv_ratio(uint32_t si, uint32_t sj);
  * in the middle lies below the mean. */
 static inline int32_t uv_bulge(int64_t difference, int32_t ratio)
 {
-    return (int32_t) -
-           ((difference * ratio) >> 31); /* 2^32 * 2^30; at most 2^31 by a little, where it wraps: 16 turns */
+    return fx_s32(-((difference * ratio) >> 31)); /* 2^32 * 2^30; at most 2^31 by a little, where it wraps: 16 turns */
 }
 
 /* Fills setup->uv and setup->uv_kind. A triangle at one distance becomes affine, whatever is asked for; one that is too

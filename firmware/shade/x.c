@@ -47,7 +47,7 @@ static inline __attribute__((always_inline)) int interpolate(struct shade_setup 
         setup->quadratic = 1;
         plane_quadratic(&setup->plane, value, bulge, channel);
     }
-    setup->runs_only |= (uint8_t)channel->exact;
+    setup->runs_only |= fx_u8(channel->exact);
     return 1;
 }
 
@@ -95,9 +95,9 @@ void shade_x(struct shade_setup *setup, const struct shade_input *in)
     for (unsigned left = surface_lights(in->surface); USES(USES_SEVERAL_LIGHTS) && left > 1; left--) {
         const unsigned i = left - 1;
         if (interpolate_other(setup, in, i, 0, curl))
-            setup->diffuse_lights |= (uint8_t)(1u << i);
+            setup->diffuse_lights |= fx_u8(1u << i);
         if (surface_highlights(in->surface) && interpolate_other(setup, in, i, 1, curl))
-            setup->specular_lights |= (uint8_t)(1u << i);
+            setup->specular_lights |= fx_u8(1u << i);
     }
     if (!surface_lights(in->surface))
         return;

@@ -99,7 +99,7 @@ class Killer:
         self.seconds, self.lines = 0.0, {}
 
     def limits(self):
-        cpu = max(2, math.ceil(10 * self.seconds))
+        cpu = max(1, math.ceil(10 * self.seconds))
         resource.setrlimit(resource.RLIMIT_CPU, (cpu, cpu))
         resource.setrlimit(resource.RLIMIT_AS, (4 << 30, 4 << 30))
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))

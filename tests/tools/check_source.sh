@@ -52,6 +52,20 @@ floats=$(find firmware hal -name '*.[ch]' | while read -r file; do
 done)
 verdict "no floating-point token in firmware/ and hal/" "$floats"
 
+# In the renderer's arithmetic a conversion says what it is: fx_<type>(), checked, or fx_wrap_<type>() (fixed/checked.h).
+integer='(u?int(8|16|32|64)_t|q[0-9_]+_t|(un)?signed( (char|short|int|long( long)?))?|char|short|int|long( long)?)'
+casts=$(grep -nE "\\(((const|volatile) )?$integer\\) *([][A-Za-z0-9_(~!*&+-]|$)" firmware/*.[ch] firmware/{fixed,geometry,plan,shade,raster}/*.[ch] |
+    grep -vE "^firmware/fixed/checked\.h:|(sizeof|_Alignas) *\\($integer\\)")
+verdict "every conversion between integers is checked or marked" "$casts"
+
+wraps=$(find firmware hal -name '*.[ch]' -exec awk '
+    FNR == 1 { state = 0 }
+    /FX_WRAPS/ && !/^ *(# *define| \*)/ { state = 1; lines = 0; name = FILENAME ":" FNR }
+    state == 1 && /^{/ { state = 2; next }
+    state == 2 && /^}/ { state = 0; if (lines > 12) print name ": " lines " lines under FX_WRAPS" }
+    state == 2 { lines++ }' {} +)
+verdict "no large function is modulo 2^32 as a whole" "$wraps"
+
 heap=$(grep -rnwE 'malloc|calloc|realloc|free|alloca|printf|setjmp' firmware --include='*.c' --include='*.h' | grep -vE ':[0-9]+: *(/\*|\*|//)')
 verdict "no allocation and no stdio in firmware/" "$heap"
 

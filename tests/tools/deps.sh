@@ -1,6 +1,6 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# Finds which Debian packages a target lacks, says so and installs them. `deps.sh demo|view|test|linux`; DEPS=manual only prints
+# Finds which Debian packages a target lacks, says so and installs them. `deps.sh demo|view|test|linux|prove`; DEPS=manual only prints
 # the command and fails if something is missing.
 set -u
 
@@ -10,11 +10,13 @@ test="$view xvfb xdotool libcmocka-dev clang clang-runtime clang-format clang-ti
       gnuplot-nox assimp-testmodels nodejs npm gcc-arm-linux-gnueabihf libc6-dev-armhf-cross device-tree-compiler cpio"
 # A Linux board's program is built on the board itself, or crosswise.
 linux="$demo $(case $(uname -m) in arm* | aarch64) echo libgpiod-dev ;; *) echo gcc-arm-linux-gnueabihf libc6-dev-armhf-cross ;; esac)"
+prove="gcc python3 frama-c-base why3 z3 cvc4 gappa"
 
 # A tool that came by another way than apt serves as well; a library needs its package or its pkg-config file.
 have() {
     case $1 in
     device-tree-compiler) command -v dtc ;;
+    frama-c-base) command -v frama-c ;;
     gcc-arm-none-eabi) command -v arm-none-eabi-gcc && command -v arm-none-eabi-nm ;;
     nodejs) command -v node ;;
     gcc-arm-linux-gnueabihf) command -v arm-linux-gnueabihf-gcc ;;
@@ -54,8 +56,9 @@ demo) wanted=$demo ;;
 view) wanted=$view ;;
 test) wanted=$test ;;
 linux) wanted=$linux ;;
+prove) wanted=$prove ;;
 *)
-    echo "usage: deps.sh demo|view|test|linux" >&2
+    echo "usage: deps.sh demo|view|test|linux|prove" >&2
     exit 2
     ;;
 esac

@@ -5,7 +5,7 @@ MUTATE_CORE_CC := $(CC) -std=c11 $(INCLUDE) -O2 -fPIC -fno-semantic-interpositio
 MUTATE_TEST_CC = $(CC) $(HOST_FLAGS) $(PACKAGE_FLAGS) -Wno-error -O2 -fPIC
 # Position independent, that the tables of methods have one address.
 # Of the unit tests those of the renderer; two are linked with another build of it.
-MUTATE_HOST := app choices compare control display gadget% linux% live mem meter numbers overlay pack% panels patch picture playback \
+MUTATE_HOST := app checked choices compare control display gadget% linux% live mem meter numbers overlay pack% panels patch picture playback \
 	queue record% remote% scene% share stream% survey tangents uses% usb% reference%
 MUTATE_UNIT := $(filter-out $(MUTATE_HOST:%=tests/unit/test_%.c),$(UNIT_SRC)) $(wildcard tests/hard/test_*.c)
 MUTATE_GOLDEN := $(GOLDEN_C) $(HOST_PROGRAM)

@@ -2,7 +2,7 @@
 # What each suite runs. tests/tools/run.sh counts what they print.
 LEVELS := O0 O2 Os
 MATRIX := $(foreach c,gcc clang,$(foreach l,$(LEVELS),$(c)-$(l)))
-SANITIZE := -fsanitize=address,undefined,implicit-conversion,float-cast-overflow -fno-sanitize-recover=all \
+SANITIZE := -DGLINT_CHECKED -fsanitize=address,undefined,implicit-conversion,float-cast-overflow -fno-sanitize-recover=all \
 	-fno-omit-frame-pointer
 # Unsigned wrap too in the renderer and hal/, where what is meant modulo 2^32 is marked FX_WRAPS.
 SANITIZE_CORE := -fsanitize=integer -fno-sanitize-recover=all

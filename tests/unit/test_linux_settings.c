@@ -15,6 +15,7 @@
 #include "listen.h"
 
 #define ARGUMENTS 80
+#define ZEROS_16  "0000000000000000"
 
 static const uint32_t no_blob[1], no_length;
 const struct program_scene program_scenes[] = {{"demo", no_blob, &no_length}, {"other", no_blob, &no_length}};
@@ -290,6 +291,8 @@ static void hertz_have_fractions_and_units(void **state)
     assert_true(values_hertz("500k", &hertz) && hertz == 500000);
     assert_true(values_hertz("4000000", &hertz) && hertz == 4000000);
     assert_true(values_hertz("1.234567M", &hertz) && hertz == 1234567);
+    /* 10^64 is 0 modulo 2^64 */
+    assert_false(values_hertz("1." ZEROS_16 ZEROS_16 ZEROS_16 ZEROS_16 "M", &hertz));
     assert_false(values_hertz("4295M", &hertz));
     assert_false(values_hertz("", &hertz));
 }

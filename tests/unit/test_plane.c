@@ -3,7 +3,7 @@
 #include "cover.h"
 #include "random.h"
 #include "raster/edges.h"
-#include "shade/plane.h"
+#include "shade/dots.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -288,6 +288,40 @@ static void about_two_pixels_of_height_are_within_the_bounds(void **state)
     assert_true(thin[0] - before[0] > 4000 && thin[1] - before[1] > 4000);
 }
 
+/* Where the mixed difference is largest of all triangles that are not thin: bends of half a turn and alternating signs,
+ * with corner 0 in each place of a pixel. */
+static void the_sharpest_bends_two_pixels_high_do_not_wrap(void **state)
+{
+    (void)state;
+    static const int32_t most[2] = {PLANE_MOST_BULGE, 1 << 28};
+    for (int place = 0; place < 512; place++) {
+        const int x = place & 15, y = place >> 4 & 15;
+        const struct cover_point at[3] = {{x, y}, {x + 124, y + 127}, {x - 127, y - 97}};
+        static struct shade_setup s;
+        struct channel *channel = &s.channel[0];
+        int32_t got;
+        for (int k = 0; k < 3; k++) {
+            corner[k] = at[k];
+            value[k] = 0;
+            bulge[k] = k == 1 ? -most[place >> 8] : most[place >> 8];
+        }
+        s.plane = setup();
+        assert_false(s.plane.thin);
+        dots_quadratic(&s, value, bulge, channel);
+        for (int row = SIZE / 2 - 4; row < SIZE / 2 + 5; row++)
+            for (int column = SIZE / 2 - 5; column < SIZE / 2 + 6; column++) {
+                const struct cover_point c = cover_centre(column, row, SIZE, SIZE);
+                if (cover_turn(c, corner[1], corner[2]) < 0 || cover_turn(corner[0], c, corner[2]) < 0 ||
+                    cover_turn(corner[0], corner[1], c) < 0)
+                    continue;
+                double linear, bend;
+                truth(column, row, &linear, &bend);
+                plane_values(&s.plane, channel, column, row, 1, &got);
+                check_value(1, 0, column, row, got, linear - bend);
+            }
+    }
+}
+
 /* A triangle of one sub-pixel squared holds a pixel centre at most in a corner: its value is that corner's. */
 static void the_smallest_triangles_have_their_corners_values(void **state)
 {
@@ -421,6 +455,7 @@ int main(void)
         cmocka_unit_test(every_pixel_up_to_2048_across_is_within_the_bounds),
         cmocka_unit_test(large_bends_are_taken_in_64_bits),
         cmocka_unit_test(about_two_pixels_of_height_are_within_the_bounds),
+        cmocka_unit_test(the_sharpest_bends_two_pixels_high_do_not_wrap),
         cmocka_unit_test(the_smallest_triangles_have_their_corners_values),
         cmocka_unit_test(whichever_corner_comes_first_the_values_agree),
         cmocka_unit_test(a_run_has_the_bits_of_its_pixels_one_by_one),

@@ -1,0 +1,118 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Runs the proofs of tests/proof with Frama-C, one line each: prove.py [-j N] [-t SECONDS] -o FOLDER FILE.c...
+
+A proof holds if every alarm and annotation is proven, every statement of the functions that it names was reached, and
+each contract that it assumes is proven by another of the files. Its head says which they are (tests/proof/proof.h)."""
+import argparse
+import concurrent.futures
+import csv
+import os
+import re
+import subprocess
+import sys
+import time
+
+COMMON = ["-machdep", "gcc_x86_32", "-c11", "-main", "prove",
+          "-kernel-warn-key", "annot:missing-spec=abort,typing:implicit-function-declaration=abort"]
+# What the compilers assert, Frama-C does not parse.
+CPP = "-Ifirmware -Ihal -Ihost-tools -I. -Itests/proof '-D_Static_assert(...)='"
+# Dead: in code that is not reached; what must be is named.
+HELD = {"Valid", "Considered valid", "Dead"}
+
+
+def head(path):
+    """The lists at the head of a proof: {"proves": [...], "assumes": [...], "options": [...], "then": [...]}."""
+    lists, name = {"proves": [], "assumes": [], "options": [], "then": []}, None
+    for line in open(path):
+        found = re.match(r" \*\s+(\w+):\s*(.*)", line)
+        if found and found.group(1) in lists:
+            name = found.group(1)
+            lists[name] += found.group(2).split()
+        elif name and re.match(r" \*   +\S", line):
+            lists[name] += line[2:].split()
+        else:
+            name = None
+        if line.strip() == "*/":
+            break
+    return lists
+
+
+def complaints(base, lists, log):
+    """What is left to prove, and what was not reached; with the counts of statements of the named functions."""
+    bad, reached, total = [], 0, 0
+    covered = dict((name, (int(done), int(of))) for name, done, of in
+                   re.findall(r"^\s+(\w+): (\d+) stmts out of (\d+) ", log, re.M))
+    for name in lists["proves"]:
+        done, of = covered.get(name, (0, 0))
+        reached, total = reached + done, total + of
+        if done != of or not of:
+            bad.append(f"{name}: {done} of {of} statements reached")
+    if not lists["proves"]:
+        bad.append("names no function that it proves")
+    held = 0
+    with open(base + ".csv") as table:
+        for row in csv.reader(table, delimiter="\t", quoting=csv.QUOTE_NONE):
+            folder, name, line, function, kind, status, text = (row + [""] * 7)[:7]
+            if folder == "directory" or folder.startswith("FRAMAC_SHARE"):
+                continue
+            if status in HELD:
+                held += 1
+            elif function not in lists["assumes"]:
+                bad.append(f"{name}:{line}: {function}: {kind}: {text} ({status})")
+    return bad, held, reached, total
+
+
+def prove(path, folder, limit):
+    lists, start = head(path), time.time()
+    name = os.path.basename(path)[:-2]
+    base = os.path.join(folder, name)
+    options = COMMON + (["-eva-use-spec", ",".join(lists["assumes"])] if lists["assumes"] else []) + lists["options"]
+    then = (["-then"] + lists["then"]) if lists["then"] else []
+    command = ["frama-c", path, "-cpp-extra-args=" + CPP, "-eva", "-metrics", "-metrics-eva-cover"] + options + then + \
+        ["-then", "-report-csv", base + ".csv"]
+    if os.path.exists(base + ".csv"):
+        os.remove(base + ".csv")
+    with open(base + ".log", "w") as out:
+        try:
+            status = subprocess.run(command, stdout=out, stderr=subprocess.STDOUT, timeout=limit,
+                                    env=dict(os.environ, WHY3CONFIG=os.path.join(folder, "why3.conf"))).returncode
+        except subprocess.TimeoutExpired:
+            status = f"no end after {limit} s"
+    log = open(base + ".log").read()
+    seconds = time.time() - start
+    if status != 0:
+        return name, [f"Frama-C: {status}"] + log.splitlines()[-5:], 0, 0, 0, seconds, lists
+    return (name, *complaints(base, lists, log), seconds, lists)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("-j", type=int, default=os.cpu_count())
+    parser.add_argument("-t", type=int, default=900)
+    parser.add_argument("-o", required=True)
+    parser.add_argument("file", nargs="+")
+    args = parser.parse_args()
+    os.makedirs(args.o, exist_ok=True)
+    if not os.path.exists(os.path.join(args.o, "why3.conf")):
+        subprocess.run(["why3", "-C", os.path.join(args.o, "why3.conf"), "config", "detect"],
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=True)
+    proven = {name for path in args.file for name in head(path)["proves"]}
+    failed, sums = 0, [0, 0, 0]
+    with concurrent.futures.ThreadPoolExecutor(args.j) as pool:
+        for future in concurrent.futures.as_completed(pool.submit(prove, path, args.o, args.t) for path in args.file):
+            name, bad, held, reached, total, seconds, lists = future.result()
+            if len(args.file) > 1:
+                bad += [f"assumes {f}, which no proof proves" for f in lists["assumes"] if f not in proven]
+            print(f"{'FAIL' if bad else 'ok'} proof {name}: {len(lists['proves'])} functions, {reached} of {total} "
+                  f"statements, {held} properties, {len(bad)} alarms, {seconds:.0f} s", flush=True)
+            for line in bad[:12]:
+                print("   " + line)
+            failed += bool(bad)
+            sums = [sums[0] + len(lists["proves"]), sums[1] + reached, sums[2] + held]
+    print(f"# {len(args.file) - failed} of {len(args.file)} proofs: {sums[0]} functions, {sums[1]} statements, "
+          f"{sums[2]} properties")
+    sys.exit(failed != 0)
+
+
+main()
