@@ -28,7 +28,8 @@ import threading
 sys.dont_write_bytecode = True
 import operators
 
-SOME = 8
+SOME = 4  # of those that call an inline function, tried first
+FIRST = ("golden_mini", "test_random_list", "golden")  # they see most
 FOLDERS = ("fixed", "raster", "shade", "plan")
 HERE = os.path.dirname(os.path.abspath(__file__))
 EQUIVALENTS = os.path.join(HERE, "equivalents.txt")
@@ -99,7 +100,7 @@ class Killer:
         self.seconds, self.lines = 0.0, {}
 
     def limits(self):
-        cpu = max(1, math.ceil(10 * self.seconds))
+        cpu = max(1, math.ceil(5 * self.seconds))
         resource.setrlimit(resource.RLIMIT_CPU, (cpu, cpu))
         resource.setrlimit(resource.RLIMIT_AS, (4 << 30, 4 << 30))
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
@@ -310,7 +311,7 @@ def calibrate(build, killers, place):
         if how:
             sys.exit("FAIL %s %s with the renderer as it is" % (killer.name, how))
         needed.append(killer)
-    return sorted(needed, key=lambda k: (k.expected is None, k.seconds))
+    return sorted(needed, key=lambda k: (k.name not in FIRST, k.seconds))
 
 
 def interval(score, size):
@@ -329,7 +330,7 @@ def main():
                 mutants += operators.mutants_of(path, originals[path], build.active(path))
     possible = collections.Counter(m.path.split("/")[1] for m in mutants)
     rest = sum(possible[f] for f in FOLDERS[1:])
-    counts = {f: None if f == "fixed" or not options.sample else round(options.sample * possible[f] / max(rest, 1)) for f in FOLDERS}
+    counts = {f: None if f == "fixed" and rest == 0 or not options.sample else round(options.sample * possible[f] / max(rest, 1)) for f in FOLDERS}
     chosen = sample(mutants, counts, options.seed)
     if options.list:
         print("\n".join("%d: %s" % (m.number, m.key) for m in chosen))
@@ -380,9 +381,12 @@ def run(workers, chosen, originals, store):
     with concurrent.futures.ThreadPoolExecutor(len(workers)) as pool:
         for mutant, verdict in pool.map(one, chosen):
             results[mutant.key] = verdict
-            if len(results) % 50 == 0:
+            if len(results) % 20 == 0:
                 store.save()
-                print("# %d of %d" % (len(results), len(chosen)), flush=True)
+                counts = collections.Counter(how for how, _ in results.values())
+                print("# %d of %d: %s" % (len(results), len(chosen), ", ".join("%s %d" % c for c in sorted(counts.items()))), flush=True)
+            if verdict[0] == "survived":
+                print("# %s:%d %s %s" % (mutant.path, mutant.number, mutant.change, verdict[1]), flush=True)
     store.save()
     return results
 

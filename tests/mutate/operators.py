@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The mutants of one C source: small changes to its tokens, each of which some test ought to see.
 
-Left alone: comments, strings, preprocessor lines, asserts, attributes, declarations in headers, the sizes of arrays, and all but
+Left alone: comments, strings, preprocessor lines, asserts (FX_REQUIRE), attributes, declarations in headers, the sizes of arrays, and all but
 each 16th number of a long table. A mutant keeps the line numbers of what it leaves.
 """
 import re
@@ -16,6 +16,7 @@ SWAPS = {"+": ["-"], "-": ["+"], "*": ["+"], "/": ["*"], "%": ["/"], "+=": ["-="
          "++": ["--"], "--": ["++"], "&": ["|"], "|": ["&"], "^": ["|"], "&=": ["|="], "|=": ["&="], "^=": ["|="],
          "<<": [">>"], ">>": ["<<"], "<<=": [">>="], ">>=": ["<<="], "<": ["<=", ">="], "<=": ["<", ">"], ">": [">=", "<="],
          ">=": [">", "<"], "==": ["!="], "!=": ["=="], "&&": ["||"], "||": ["&&"]}
+NAMES = {"fx_wrap_add": "fx_wrap_sub", "fx_wrap_sub": "fx_wrap_add", "fx_wrap_mul": "fx_wrap_add"}
 EITHER = {"+", "-", "*", "&"}  # with one operand or two
 ASSIGN = {"=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>=", "++", "--"}
 CLOSE = {"(": ")", "[": "]", "{": "}"}
@@ -54,7 +55,7 @@ class Source:
         for i, token in enumerate(self.tokens):
             if header and token.function is None:
                 token.frozen = True
-            if token.text in ("assert", "_Static_assert", "__attribute__", "__asm__", "sizeof", "_Alignas"):
+            if token.text in ("assert", "_Static_assert", "FX_REQUIRE", "__attribute__", "__asm__", "sizeof", "_Alignas"):
                 j = i + 1
                 while self.tokens[j].text == "volatile":
                     j += 1
@@ -169,6 +170,8 @@ def edits(source):
     """Each change as (name, from, to, replacement)."""
     tokens = source.tokens
     for i, t in enumerate(tokens):
+        if not t.frozen and t.text in NAMES:
+            yield ("operator", t.at, t.end, NAMES[t.text])
         if t.frozen or t.kind in ("text", "name"):
             continue
         if t.kind == "number":

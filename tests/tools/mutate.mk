@@ -10,7 +10,7 @@ MUTATE_HOST := app checked choices compare control display gadget% linux% live m
 MUTATE_UNIT := $(filter-out $(MUTATE_HOST:%=tests/unit/test_%.c),$(UNIT_SRC)) $(wildcard tests/hard/test_*.c)
 MUTATE_GOLDEN := $(GOLDEN_C) $(HOST_PROGRAM)
 # Small pictures first; what hangs, hangs there.
-MUTATE_GOLDEN_MINI := tests/golden/golden.c $(FUZZ_SCENE_C) $(HOST_PROGRAM)
+MUTATE_GOLDEN_MINI := $(GOLDEN_SMALL_C) $(HOST_PROGRAM)
 MUTATE_LONG := tests/budget/random.c tests/exhaustive/exhaustive_plan.c tests/hard/exact_triangles.c
 MUTATE_TESTS := $(sort $(MUTATE_UNIT) $(MUTATE_GOLDEN) $(MUTATE_GOLDEN_MINI) $(MUTATE_LONG))
 MUTATE_CORE_OBJ := $(CORE_SRC:%.c=$(MUTATE)/obj/%.o)
@@ -37,7 +37,7 @@ MUTATE_LINES_OBJ := $(CORE_SRC:%.c=$(MUTATE)/lines/%.o)
 $(MUTATE_LINES_OBJ): $(MUTATE)/lines/%.o: %.c
 	$(call say,LINES,$<)
 	@mkdir -p $(@D)
-	$(Q)$(MUTATE_CORE_CC) -O0 --coverage -MMD -MP -c $< -o $@
+	$(Q)$(MUTATE_CORE_CC) -O1 -fno-inline --coverage -MMD -MP -c $< -o $@
 $(MUTATE)/lines/libfirmware.so: $(MUTATE_LINES_OBJ)
 	$(call say,LINK,$@)
 	$(Q)$(CC) -shared --coverage -Wl,-Bsymbolic $^ -o $@
