@@ -71,6 +71,14 @@ static struct frame_case random_case(const struct glint_method *method, int i)
     return f;
 }
 
+/* Texels as they are, not between: loops of their own. */
+static void take_nearest(struct scene_header *scene)
+{
+    struct scene_texture *texture = (struct scene_texture *)(uintptr_t)scene_textures(scene);
+    for (unsigned i = 0; i < scene->texture_count; i++)
+        texture[i].flags &= (uint8_t)~TEXTURE_BILINEAR;
+}
+
 static uint32_t hash_method(const struct glint_choice *choice)
 {
     uint32_t hash = 0;
@@ -79,6 +87,8 @@ static uint32_t hash_method(const struct glint_choice *choice)
     for (int i = 0; i < count; i++) {
         struct scene_header *scene = random_scene((uint32_t)i);
         struct frame_case f = random_case(choice->method, i / 2);
+        if (i % 3 == 0)
+            take_nearest(scene);
         frame_case_open_for(&f, scene);
         const uint32_t side = random_bits();
         if (i % 4 == 3)
