@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Whether the tests see small changes of the renderer: each mutant of a sample (operators.py) is compiled, linked into a copy of
-the renderer's shared library, and given to the killers, programs that pass with the renderer as it is, the cheapest first.
+the renderer's shared library, and given to the killers that run its line: programs that pass with the renderer as it is.
 
 Not counted are mutants that compilers refuse, those whose code is the original's or another mutant's, and those that are reviewed in
 equivalents.txt. Which mutants are taken depends on their text and SEED alone. Results are kept in FOLDER/results.json, by what a mutant
@@ -330,7 +330,7 @@ def main():
                 mutants += operators.mutants_of(path, originals[path], build.active(path))
     possible = collections.Counter(m.path.split("/")[1] for m in mutants)
     rest = sum(possible[f] for f in FOLDERS[1:])
-    counts = {f: None if f == "fixed" and rest == 0 or not options.sample else round(options.sample * possible[f] / max(rest, 1)) for f in FOLDERS}
+    counts = {f: round(options.sample * possible[f] / max(rest, 1)) if options.sample and f != "fixed" else None for f in FOLDERS}
     chosen = sample(mutants, counts, options.seed)
     if options.list:
         print("\n".join("%d: %s" % (m.number, m.key) for m in chosen))
@@ -422,7 +422,8 @@ def table(files, possible, options):
         c = files[path]
         folders[path.split("/")[1]].update(c)
         by = ", ".join("%s %d" % (k, n) for k, n in c.most_common() if k not in outside)
-        print("%-36s %7d %7d %7d %9d %7d  %s" % (path, c["refused"], c["same"] + c["twin"], c["equivalent"], c["survived"], c["killed"], by))
+        print("%-36s %7d %7d %7d %9d %7d  %s" % (
+            path, c["refused"], c["same"] + c["twin"], c["equivalent"], c["survived"], c["killed"], by))
     whole, variance, bad = 0, 0, False
     total = sum(possible[f] for f in folders)
     for folder in FOLDERS:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The mutants of one C source: small changes to its tokens, each of which some test ought to see.
 
-Left alone: comments, strings, preprocessor lines, asserts (FX_REQUIRE), attributes, declarations in headers, the sizes of arrays, and all but
-each 16th number of a long table. A mutant keeps the line numbers of what it leaves.
+Left alone: comments, strings, preprocessor lines, asserts, attributes, declarations in headers, sizes of arrays, and all but each
+16th number of a long table. A mutant keeps the line numbers of what it leaves.
 """
 import re
 

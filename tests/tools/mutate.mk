@@ -43,7 +43,7 @@ $(MUTATE)/lines/libfirmware.so: $(MUTATE_LINES_OBJ)
 	$(Q)$(CC) -shared --coverage -Wl,-Bsymbolic $^ -o $@
 -include $(MUTATE_LINES_OBJ:.o=.d)
 define mutate_rule
-$(MUTATE)/bin/$(1): $(2:%.c=$(MUTATE)/obj/%.o) $(HOST_LIB) $(MUTATE)/libfirmware.so
+$(MUTATE)/bin/$(1): $(2:%.c=$(MUTATE)/obj/%.o) $(HOST_LIB) $(MUTATE)/libfirmware.so tests/tools/mutate.mk
 	$$(call say,LINK,$$@)
 	@mkdir -p $$(@D)
 	$$(Q)$$(CC) $$(filter %.o,$$^) $$(MUTATE_LIBS) -o $$@
