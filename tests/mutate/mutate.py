@@ -29,6 +29,7 @@ sys.dont_write_bytecode = True
 import operators
 
 SOME = 4  # of those that call an inline function, tried first
+UNDEFINED = ("-fsanitize=undefined,bounds-strict", "-fsanitize-undefined-trap-on-error")
 FIRST = ("golden_mini", "test_random_list", "golden")  # they see most
 FOLDERS = ("fixed", "raster", "shade", "plan")
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -56,10 +57,14 @@ class Build:
         self.tests = options.tests.split()
         self.compile = {True: shlex.split(options.core_cc), False: shlex.split(options.test_cc)}
         self.link = shlex.split(options.link)
-        self.uses = collections.defaultdict(set)  # inline function -> sources that call it
+        self.uses = collections.defaultdict(set)  # inline function -> sources that call it; .c -> tests that include it
         for source in self.core + self.tests:
             for name in content(self.object(source)[:-2] + ".inline").decode().split():
                 self.uses[name].add(source)
+        for source in self.tests:
+            for path in self.included(source):
+                if path.endswith(".c") and path != source:
+                    self.uses[path].add(source)
         self.counted = collections.defaultdict(set)  # lines, where code begins
         self.original = {s: content(self.object(s)) for s in self.core + self.tests}
 
@@ -145,7 +150,7 @@ class Killer:
         while number not in counted and number > 0:
             number -= 1
         return (mutant.function == "-" or number in self.lines.get(mutant.path, ()) or
-                any(o in build.uses[mutant.function] for o in self.objects))
+                any(o in build.uses[mutant.function] or o in build.uses[mutant.path] for o in self.objects))
 
     def find_lines(self, build, place, known):
         """Which lines it runs, of functions; known from before if neither it nor the renderer has changed."""
@@ -183,10 +188,10 @@ class Worker:
         for name in ("tests", "hal", "host-tools", "boards", "README.md", "CONTRIBUTING.md"):
             os.symlink(os.path.join(build.root, name), os.path.join(self.place, name))
 
-    def compile(self, source, changed):
+    def compile(self, source, changed, flags=()):
         out = os.path.join(self.place, "obj", source.replace("/", "_")[:-2] + ".o")
-        done = subprocess.run(self.build.compile[source in self.build.core] + ["-c", source, "-o", out], cwd=self.place,
-                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        done = subprocess.run(self.build.compile[source in self.build.core] + list(flags) + ["-c", source, "-o", out],
+                              cwd=self.place, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         if done.returncode:
             return False
         if content(out) != self.build.original[source]:
@@ -197,13 +202,13 @@ class Worker:
         objects = [changed.get(s) or self.build.object(s) for s in self.build.core]
         subprocess.run(["gcc", "-shared", "-Wl,-Bsymbolic", "-o", os.path.join(self.place, "libfirmware.so")] + objects, check=True)
 
-    def prepare(self, mutant, original, users):
+    def prepare(self, mutant, original, users, flags=()):
         """Compiles what the mutant changes: the objects that differ, or None where it is refused."""
         path, changed = os.path.join(self.place, mutant.path), {}
         with open(path, "w") as f:
             f.write(mutant.text(original))
         try:
-            return changed if all([self.compile(source, changed) for source in users]) else None
+            return changed if all([self.compile(source, changed, flags) for source in users]) else None
         finally:
             with open(path, "w") as f:
                 f.write(original)
@@ -220,7 +225,7 @@ class Worker:
     def judge(self, mutant, original, known, taken):
         """The verdict and its killer: refused, same, twin, killed or survived. What is seen where some of those that call an
         inline function have it is seen where all have."""
-        users = [mutant.path]
+        users = [mutant.path] + sorted(self.build.uses[mutant.path])
         if mutant.path.endswith(".h"):
             users = sorted(self.build.uses[mutant.function], key=lambda s: (len(self.build.original[s]), s))
         if len(users) > SOME:
@@ -254,7 +259,19 @@ class Worker:
             known[code + killer.hash] = how = killer.run(self.place, self.program(killer, changed))
             if how:
                 return "killed", killer.name + " " + how
-        return "survived", ""
+        return self.judge_undefined(mutant, original, users, killers, code, known)
+
+    def judge_undefined(self, mutant, original, users, killers, code, known):
+        """What no picture shows may be undefined: the mutant's file once more, stopping there, as under make test-sanitize."""
+        key = code + UNDEFINED[0] + "".join(k.hash for k in killers if k.name in FIRST)
+        if key not in known:
+            core = [s for s in users if s in self.build.core]
+            changed, known[key] = self.prepare(mutant, original, core, UNDEFINED), ""
+            self.library(changed)
+            for killer in killers:
+                if killer.name in FIRST and not known[key]:
+                    known[key] = killer.run(self.place, os.path.join(self.build.folder, "bin", killer.name))
+        return ("killed", "sanitizer " + known[key]) if known[key] else ("survived", "")
 
 
 def read_equivalents(path):

@@ -17,7 +17,7 @@
 
 #include <stdio.h>
 
-#define SCENES 240
+#define SCENES 360
 
 static const struct glint_power *const powers[] = {NULL, &glint_power_exact, &glint_power_4, &glint_power_8,
                                                    &glint_power_16};
@@ -83,11 +83,11 @@ static uint32_t hash_method(const struct glint_choice *choice)
 {
     uint32_t hash = 0;
     /* auto decides most */
-    const int count = choice->method == &glint_auto ? 4 * SCENES : SCENES;
+    const int count = choice->method == &glint_auto ? 3 * SCENES : SCENES;
     for (int i = 0; i < count; i++) {
         struct scene_header *scene = random_scene((uint32_t)i);
         struct frame_case f = random_case(choice->method, i / 2);
-        if (i % 3 == 0)
+        if (i % 5 == 0)
             take_nearest(scene);
         frame_case_open_for(&f, scene);
         const uint32_t side = random_bits();
