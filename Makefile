@@ -122,6 +122,9 @@ test-exhaustive: deps-test ## Whole domains of the fixed-point functions, and th
 coverage: deps-coverage ## Lines, branches and MC/DC of firmware/ that the tests reach, by file: all but tests/coverage.txt (some minutes)
 	$(Q)$(MAKE) --no-print-directory coverage-run
 
+mutation: deps-test ## Small changes of the renderer that tests ought to see, SAMPLE=800 of them or of FILES='firmware/plan/*': score and survivors (half an hour)
+	$(Q)$(MAKE) --no-print-directory mutation-run
+
 prove: deps-prove ## Frama-C proofs: no overflow, no access out of bounds, nothing undefined, every statement reached (10 minutes); PROOFS="fixed plane" of some
 	$(Q)$(MAKE) --no-print-directory prove-run
 
@@ -262,6 +265,7 @@ include tests/tools/prove.mk
 include tests/tools/coverage.mk
 include tests/tools/prove_bytes.mk
 include tests/tools/seams.mk
+include tests/tools/mutate.mk
 
 -include $(CORE_OBJ:.o=.d) $(HOST_OBJ:.o=.d) $(UNIT_BIN:=.d) $(EXHAUSTIVE_BIN:=.d)
 

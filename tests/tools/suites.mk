@@ -8,6 +8,7 @@ SANITIZE := -DGLINT_CHECKED -fsanitize=address,undefined,implicit-conversion,flo
 SANITIZE_CORE := -fsanitize=integer -fno-sanitize-recover=all
 BENCH_ELF := $(foreach c,$(CPUS),$(BUILD)/$(c)/bench.elf)
 GOLDEN_LIST := tests/golden/hashes.txt
+RANDOM_LIST := tests/golden/random.txt
 SCENE_C := $(SCENES:%=$(SCENE_DIR)/%.c) $(SCENE_DIR)/golden_list.c \
 	$(SCENE_DIR)/golden_small_list.c $(SCENE_DIR)/bench_list.c
 
@@ -160,7 +161,9 @@ stack-table: $(BENCH_ELF) $(BOARDS:%=$(BUILD)/%/app.elf)
 	for board in $(BOARDS); do python3 tests/tools/stack_image.py $(BUILD)/$$board/app.elf --name $$board --paths \
 		--indirect tests/tools/indirect.txt || status=1; done; exit $$status
 
-golden-update: $(BUILD)/golden
+golden-update: $(BUILD)/golden $(BUILD)/tests/unit/test_random_list
+	@$(BUILD)/tests/unit/test_random_list --list >$(BUILD)/random.txt && { diff $(RANDOM_LIST) $(BUILD)/random.txt || \
+		{ cp $(BUILD)/random.txt $(RANDOM_LIST); echo "$(RANDOM_LIST): rewritten"; }; }
 	@$(BUILD)/golden >$(BUILD)/hashes.txt && { diff $(GOLDEN_LIST) $(BUILD)/hashes.txt || \
 		{ cp $(BUILD)/hashes.txt $(GOLDEN_LIST); echo "$(GOLDEN_LIST): rewritten"; }; }
 

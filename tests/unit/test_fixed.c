@@ -145,6 +145,34 @@ static void quarter_turns_are_exact(void **state)
     }
 }
 
+/* FNV-1a over a function's values: within its error there are others, but each machine is to have these. */
+static uint32_t bits_of(uint32_t (*function)(uint32_t), uint32_t first)
+{
+    uint64_t hash = 14695981039346656037u;
+    for (uint64_t x = first; x < 1ull << 32; x += 1021)
+        hash = (hash ^ function((uint32_t)x)) * 1099511628211u;
+    return (uint32_t)(hash >> 32);
+}
+
+static uint32_t sine_bits(uint32_t turn)
+{
+    return (uint32_t)fx_sin(turn);
+}
+
+static uint32_t exponential_bits(uint32_t x)
+{
+    return fx_exp2_minus(x >> 11);
+}
+
+static void the_values_have_the_bits_of_every_machine(void **state)
+{
+    (void)state;
+    assert_int_equal(bits_of(fx_recip_norm, 1u << 31), 0x85852c48u);
+    assert_int_equal(bits_of(fx_rsqrt_norm, 1u << 30), 0x6f9ce2a5u);
+    assert_int_equal(bits_of(sine_bits, 0), 0x5aef8cf4u);
+    assert_int_equal(bits_of(exponential_bits, 0), 0x49758556u);
+}
+
 static void every_power_table_is_rounded_to_nearest(void **state)
 {
     (void)state;
@@ -215,6 +243,7 @@ int main(void)
         cmocka_unit_test(reciprocal_roots_keep_their_documented_error),
         cmocka_unit_test(sines_keep_their_documented_error),
         cmocka_unit_test(quarter_turns_are_exact),
+        cmocka_unit_test(the_values_have_the_bits_of_every_machine),
         cmocka_unit_test(every_power_table_is_rounded_to_nearest),
         cmocka_unit_test(powers_keep_their_documented_error_and_never_fall),
         cmocka_unit_test(powers_are_0_below_and_1_above_the_unit_range),

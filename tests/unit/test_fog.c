@@ -24,6 +24,7 @@ static void powers_of_two_fall_as_they_should(void **state)
     assert_true(most < 7.5);
     assert_int_equal(fx_exp2_minus(0), 65536);
     assert_int_equal(fx_exp2_minus(1u << 16), 32768);
+    assert_int_equal(fx_exp2_minus(17u << 16), 1); /* a half, rounded up */
     assert_int_equal(fx_exp2_minus(18u << 16), 0);
     assert_int_equal(fx_exp2_minus(UINT32_MAX), 0);
 }

@@ -328,6 +328,9 @@ static void a_zero_counts_as_both_signs(void **state)
     assert_false(passes()); /* facing away at all three */
     corner[0].normal[2] = 16384;
     assert_true(passes());
+    corner[0] = (struct highlighted_point){{0, 0, 0}, {0, 16384, 0}}; /* across both: neither is nearer */
+    s = highlighted_signs(&object, 1, &corner[0]);
+    assert_int_equal(s.below2 & s.above2, 1);
 }
 
 /* It has no direction from there, so nothing speaks against a highlight. */

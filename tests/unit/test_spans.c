@@ -106,6 +106,13 @@ static void a_triangle_drawn_straight_is_the_one_drawn_by_runs(void **state)
     assert_true(differ[GLINT_GREY8] > 90 && differ[GLINT_RGB888] > 30);
 }
 
+static void every_length_is_its_formula(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 1 << SPANS_LENGTH_BITS; i++)
+        assert_int_equal(spans_length[i], lround(32768 / sqrt(1 - (i + .5) / 4096)));
+}
+
 /* What plan->lengths counts on (shade/surface.c): N.V over the length of N as Duff's pixels take it. */
 static void a_table_of_lengths_divides_within_its_error(void **state)
 {
@@ -222,6 +229,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_triangle_drawn_straight_is_the_one_drawn_by_runs),
+        cmocka_unit_test(every_length_is_its_formula),
         cmocka_unit_test(a_table_of_lengths_divides_within_its_error),
         cmocka_unit_test(a_table_is_within_its_error),
         cmocka_unit_test(without_a_table_there_is_no_error),
