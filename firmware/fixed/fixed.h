@@ -40,7 +40,7 @@ typedef int32_t q28_4_t; /* screen coordinates, 1/16 pixel */
 #define FX_Q_WIDE(n, num, den) \
     (((num)*fx_wrap_s64(2) * (INT64_C(1) << (n)) + ((num) < 0 ? -(den) : (den))) / (2 * fx_wrap_s64(den)))
 #define FX_Q_IN(bits, x) \
-    (fx_wrap_s32(x) + 0 * fx_wrap_s32(sizeof(char[(x) >> ((bits)-1) == 0 || (x) >> ((bits)-1) == -1 ? 1 : -1])))
+    (fx_wrap_s32(x) + 0 * fx_wrap_s32(sizeof(char[1 - 2 * (fx_wrap_u64(((x) >> ((bits)-1)) + 1) > 1)])))
 #define FX_Q(n, num, den) FX_Q_IN(32, FX_Q_WIDE(n, num, den))
 #define Q14(num, den)     fx_wrap_s16(FX_Q_IN(16, FX_Q_WIDE(14, num, den)))
 #define Q15(num, den)     FX_Q(15, num, den)
