@@ -3,7 +3,7 @@
  * plan/bounds.h and plan/curve.h: any bends, any dot products at the corners.
  *
  *   proves: bounds_of bounds_curl bounds_bend bounds_power_floor curve_sum curve_setup
- *           curve_values curve_bound curve_six
+ *           curve_values curve_bound
  *   options: -eva-precision 3 -eva-slevel 200
  */
 #include "proof.h"
