@@ -2,8 +2,9 @@
 /*
  * plan/bounds.h and plan/curve.h: any bends, any dot products at the corners.
  *
- *   proves: bounds_of bounds_curl bounds_bend bounds_power_floor curve_sum curve_setup curve_values curve_bound
- * curve_six options: -eva-precision 3 -eva-slevel 200
+ *   proves: bounds_of bounds_curl bounds_bend bounds_power_floor curve_sum curve_setup
+ *           curve_values curve_bound
+ *   options: -eva-precision 3 -eva-slevel 200
  */
 #include "proof.h"
 

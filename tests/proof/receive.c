@@ -7,8 +7,8 @@
  *   proves: receive_get32 receive_plausible receive_drop_first stream_receive remote_choose remote_hear
  *           remote_buttons
  *   assumes: scene_crc32
- *   options: -eva-precision 3 -eva-split-return auto -eva-slevel-function stream_receive:1000
- * -eva-slevel-merge-after-loop stream_receive
+ *   options: -eva-precision 3 -eva-split-return auto
+ *            -eva-slevel-function stream_receive:1000 -eva-slevel-merge-after-loop stream_receive
  */
 #include "bytes.h"
 #include "proof.h"

@@ -2,14 +2,14 @@
 /*
  * raster/spans.h in each format: any polynomials stay in the table, every span in the band.
  *
- *   proves: spans_rgb565_constant spans_rgb565_colours spans_rgb565_dots constant565 colours565 diffuse565
- *           diffuse_quadratic565 both565 both_quadratic565 both_wide565 spans_rgb565
- *           spans_grey8_constant spans_grey8_colours spans_grey8_dots spans_grey8_lengths look_up draw_highlight
- * constant8 colours8 plain8 plain_quadratic8 diffuse8 diffuse_quadratic8 both8 both_quadratic8 both_wide8 both_power8
- *           lengths_diffuse8 lengths_wide8 lengths_power8 lengths8
- *           spans_rgb888_constant spans_rgb888_colours spans_rgb888_dots constant888 colours888 diffuse888 both888
- *           both_wide888 spans_rgb888
- *           spans_draw spans_pixels spans_at spans_start spans_find spans_step spans_highlight
+ *   proves: spans_rgb565_constant spans_rgb565_colours spans_rgb565_dots constant565 colours565
+ *           diffuse565 diffuse_quadratic565 both565 both_quadratic565 both_wide565 spans_rgb565
+ *           spans_grey8_constant spans_grey8_colours spans_grey8_dots spans_grey8_lengths look_up
+ *           draw_highlight constant8 colours8 plain8 plain_quadratic8 diffuse8 diffuse_quadratic8
+ *           both8 both_quadratic8 both_wide8 both_power8 lengths_diffuse8 lengths_wide8 lengths_power8
+ *           lengths8 spans_rgb888_constant spans_rgb888_colours spans_rgb888_dots constant888
+ *           colours888 diffuse888 both888 both_wide888 spans_rgb888 spans_draw spans_pixels spans_at
+ *           spans_start spans_find spans_step spans_highlight
  *   assumes: fx_saturated
  *   options: -eva-precision 1 -eva-slevel 100 -absolute-valid-range 0x20000000-0x2000004a
  */

@@ -31,10 +31,12 @@ def head(path):
             lists[name] += found.group(2).split()
         elif name and re.match(r" \*   +\S", line):
             lists[name] += line[2:].split()
-        else:
-            name = None
-        if line.strip() == "*/":
+        elif line.strip() == "*/":
             break
+        elif line.strip() == "*":
+            name = None
+        elif name:  # a formatter joined two lines: nothing of a list is to be lost by that
+            sys.exit(f"{path}: neither a list nor its next line: {line.strip()}")
     return lists
 
 

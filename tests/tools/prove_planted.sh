@@ -21,6 +21,8 @@ planted() { # what, proof or `bounds`, file, sed
 mkdir -p "$folder"
 planted "a shift too far" plane firmware/shade/plane.c 's/(y2 \* y2) << 3/(y2 * y2) << 4/'
 planted "a clamp that lets more through" clip firmware/geometry/clip.c 's/down > 18/down > 22/'
+planted "a corner more than there is room for" clip firmware/geometry/clip.c 's/(db < 0) \&\& to->count < CLIP/(db < 0) \&\& to->count <= CLIP/'
+[ -z "${ALL-}" ] || planted "a texture's mask one too large" texture firmware/raster/texture.c 's/(1u << t->log2_height) - 1/(1u << t->log2_height)/'
 planted "an index one too far" power firmware/fixed/power.c 's/value\[FX_POWER_STEPS + 1\]/value[FX_POWER_STEPS + 2]/'
 planted "a branch that nothing reaches" power firmware/fixed/power.c 's/if (s <= 0)/if (n > 1023)\n        return 1;\n    if (s <= 0)/'
 planted "an entry of a table one too small" bounds firmware/fixed/fixed.c 's/255, 253, 251, 249, 247, 246/255, 253, 251, 249, 247, 245/'
