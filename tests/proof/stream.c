@@ -34,8 +34,8 @@ static int taken(void *context, const void *bytes, size_t size)
 
 static uint32_t packed(const struct pack_rows *rows)
 {
-    //@ assert \valid_read(rows->pixels + (0 .. rows->bytes - 1)) && \initialized(rows->pixels + (0 .. rows->bytes -
-    //1));
+    //@ assert \valid_read(rows->pixels + (0 .. rows->bytes - 1));
+    //@ assert \initialized(rows->pixels + (0 .. rows->bytes - 1));
     //@ assert rows->last == \null || \valid_read(rows->last + (0 .. rows->bytes - 1));
     //@ assert \valid(rows->out + (0 .. rows->room - 1)) && rows->stride <= rows->bytes;
     any_bytes(rows->out, rows->room);
