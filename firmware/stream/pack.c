@@ -112,7 +112,7 @@ PACK_INLINE uint8_t *pack_colour(uint8_t *out, int red, int green, int blue, uns
 {
     int sign = green < 0, r = sign ? -red : red, g = sign ? -green : green, b = sign ? -blue : blue;
     if (g != 0 && g <= 2 && (unsigned)(r | b) <= 1) {
-        *out++ = (uint8_t)(sign << 3 | (g - 1) << 2 | r << 1 | b);
+        *out++ = (uint8_t)(sign << 3 | (g - 1) << 2 | (int)((unsigned)r << 1) | b);
         return out;
     }
     if (g == 0 && (unsigned)(red + 1) <= 2 && (unsigned)(blue + 1) <= 2) {
@@ -124,7 +124,7 @@ PACK_INLINE uint8_t *pack_colour(uint8_t *out, int red, int green, int blue, uns
     blue += 8 - (green >> lag);
     if ((unsigned)(green + 32) < 64 && (unsigned)(red | blue) < 16) {
         *out++ = (uint8_t)(PACK_WIDE | (green & 63));
-        *out++ = (uint8_t)(red << 4 | blue);
+        *out++ = (uint8_t)((unsigned)red << 4 | (unsigned)blue);
     } else {
         *out++ = PACK_LITERAL;
         for (; size; size--, pixel >>= 8)

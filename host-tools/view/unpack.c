@@ -23,9 +23,9 @@ size_t unpack_row_bytes(enum stream_format format, uint32_t width)
 /* The pixel before, by channels. */
 static void unpack_look(struct unpack *u)
 {
-    const uint8_t *at = u->out - u->size;
     if (u->out == u->rows->pixels)
         return;
+    const uint8_t *at = u->out - u->size;
     switch (u->rows->format) {
     case STREAM_RGB565:
         u->red = at[1] >> 3;

@@ -32,5 +32,8 @@ planted "an index that is not checked" receive firmware/app/remote.c 's/if (valu
 planted "a table one byte short" tables hal/panels/wire.c 's/i += 2 + count;/i += 3 + count;/'
 planted "a line that is not in the menu" control firmware/app/control.c 's/line, CONTROL_LINES)/line, CONTROL_LINES + 1)/'
 planted "decimals without end" numbers boards/linux/values.c 's/ \&\& scale <= unit; digit++/; digit++/'
+planted "a copy of a byte too many" unpack host-tools/view/unpack.c 's/(u->out_end - u->out))$/(u->out_end - u->out) + 1)/'
+planted "room that the buffer does not have" stream firmware/stream/stream.c 's/s->buffer, bytes - 1}/s->buffer, bytes + 1}/'
+[ -z "${ALL-}" ] || planted "a round without its room" pack firmware/stream/pack.c 's/PACK_MARGIN 6u/PACK_MARGIN 3u/'
 [ -z "${ALL-}" ] || planted "a bit more of an index" spans firmware/raster/spans.h 's/fx_saturated(v->l, 6, 24)/fx_saturated(v->l, 7, 23)/'
 exit $status
