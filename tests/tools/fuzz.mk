@@ -30,8 +30,9 @@ FUZZ_MUTATE_fuzz_scene := mutate_scene.c
 FUZZ_MUTATE_fuzz_json := mutate_json.c
 FUZZ_MUTATE_fuzz_picture := mutate_picture.c
 FUZZ_FLAGS_fuzz_view := -Wl,--wrap=malloc -Wl,--wrap=realloc
+FUZZ_FLAGS_fuzz_mesh := -Wl,--wrap=aiImportFileExWithProperties -Wl,--wrap=freopen
 # Those that read files as the tools do, with all that belongs to it.
-FUZZ_FILES := fuzz_json fuzz_picture fuzz_settings
+FUZZ_FILES := fuzz_json fuzz_mesh fuzz_picture fuzz_settings
 FUZZ_PART_fuzz_remote := $(FUZZ_SCENE_C)
 FUZZ_PART_fuzz_settings := $(FUZZ_SCENE_C)
 define fuzz_rule
