@@ -51,7 +51,8 @@ static bool get_colour(const struct aiMaterial *in, const char *key, double out[
 static double get_number(const struct aiMaterial *in, const char *key, double fallback)
 {
     ai_real value;
-    return aiGetMaterialFloat(in, key, 0, 0, &value) == AI_SUCCESS && isfinite(value) ? value : fallback;
+    /* the functions for one number are inline in the header, which is not enough for an unoptimised build */
+    return aiGetMaterialFloatArray(in, key, 0, 0, &value, NULL) == AI_SUCCESS && isfinite(value) ? value : fallback;
 }
 
 /* The mapping described in import.h for metalness and roughness. */
@@ -103,7 +104,7 @@ static void read_material(const struct aiScene *scene, const struct aiMaterial *
     bool named = aiGetMaterialString(in, AI_MATKEY_NAME, &name) == AI_SUCCESS && name.length > 0;
     struct model_material *out = model_add_material(model, named ? name.data : "unnamed");
     int two_sided = 0;
-    out->two_sided = aiGetMaterialInteger(in, AI_MATKEY_TWOSIDED, &two_sided) == AI_SUCCESS && two_sided;
+    out->two_sided = aiGetMaterialIntegerArray(in, AI_MATKEY_TWOSIDED, &two_sided, NULL) == AI_SUCCESS && two_sided;
     out->picture = picture_of(in);
     if (out->picture && out->picture[0] == '*')
         read_inside(scene, model, out);
