@@ -5,7 +5,7 @@ $(CHECKED_OBJ): $(BUILD)/obj/%.o: %.c
 	$(call say,CC,$<)
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CORE_FLAGS) $(OPT) -g $(CFLAGS) -MMD -MP -c $< -o $@
-$(CORE_LIB) $(BUILD)/tests/unit/test_uses: $(CHECKED_OBJ)
+$(CORE_LIB) $(FUZZ_LIB) $(BUILD)/tests/unit/test_uses: $(CHECKED_OBJ)
 -include $(CHECKED_OBJ:.o=.d)
 # It brings the renderer's arithmetic along, under the renderer's sanitizers.
 $(BUILD)/tests/unit/test_checked: HOST_FLAGS += $(CORE_CFLAGS)
