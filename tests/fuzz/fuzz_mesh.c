@@ -34,6 +34,15 @@ const struct aiScene *__real_aiImportFileExWithProperties(const char *path, unsi
 const struct aiScene *__wrap_aiImportFileExWithProperties(const char *path, unsigned steps, struct aiFileIO *files,
                                                           const struct aiPropertyStore *properties);
 
+/* The fuzzer's clock, which would interrupt us while we wait for the importing process. */
+static const sigset_t *alarms(void)
+{
+    static sigset_t set;
+    sigemptyset(&set);
+    sigaddset(&set, SIGALRM);
+    return &set;
+}
+
 /* The importing process' stderr, which is a stream in memory here, cannot be opened anew. */
 FILE *__wrap_freopen(const char *path, const char *mode, FILE *stream);
 FILE *__wrap_freopen(const char *path, const char *mode, FILE *stream)
@@ -50,6 +59,7 @@ const struct aiScene *__wrap_aiImportFileExWithProperties(const char *path, unsi
     const bool apart = getpid() != own;
     const int heard = apart ? dup(STDERR_FILENO) : -1, nowhere = apart ? open("/dev/null", O_WRONLY) : -1;
     if (apart) {
+        sigprocmask(SIG_UNBLOCK, alarms(), NULL);
         setrlimit(RLIMIT_CPU, &(struct rlimit){1, 1}); /* or it takes gigabytes for a few bytes */
         dup2(nowhere, STDERR_FILENO);
         for (size_t i = 0; i < sizeof signals / sizeof *signals; i++)
@@ -117,7 +127,9 @@ static void judge(const struct load *load, const char *path)
 static void try(const char *path)
 {
     shared->inside = shared->got = false;
+    sigprocmask(SIG_BLOCK, alarms(), NULL);
     struct load load = load_path(path);
+    sigprocmask(SIG_UNBLOCK, alarms(), NULL);
     const bool broke =
         strstr(load.told, ": malformed: the importer ") || strstr(load.told, ": too large: the importer ");
     judge(&load, path);
