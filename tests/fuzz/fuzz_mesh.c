@@ -57,10 +57,12 @@ const struct aiScene *__wrap_aiImportFileExWithProperties(const char *path, unsi
 {
     static const int signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM};
     const bool apart = getpid() != own;
+    struct rlimit seconds;
     const int heard = apart ? dup(STDERR_FILENO) : -1, nowhere = apart ? open("/dev/null", O_WRONLY) : -1;
     if (apart) {
         sigprocmask(SIG_UNBLOCK, alarms(), NULL);
-        setrlimit(RLIMIT_CPU, &(struct rlimit){1, 1}); /* or it takes gigabytes for a few bytes */
+        getrlimit(RLIMIT_CPU, &seconds);
+        setrlimit(RLIMIT_CPU, &(struct rlimit){1, seconds.rlim_max}); /* or it takes gigabytes for a few bytes */
         dup2(nowhere, STDERR_FILENO);
         for (size_t i = 0; i < sizeof signals / sizeof *signals; i++)
             signal(signals[i], SIG_DFL);
@@ -76,6 +78,7 @@ const struct aiScene *__wrap_aiImportFileExWithProperties(const char *path, unsi
     if (__lsan_enable)
         __lsan_enable();
     if (apart) {
+        setrlimit(RLIMIT_CPU, &seconds);
         dup2(heard, STDERR_FILENO);
         close(heard);
         close(nowhere);
