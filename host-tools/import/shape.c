@@ -33,7 +33,8 @@ static void orient(struct model_mesh *mesh, size_t vertex, size_t triangle, enum
 {
     if (axis == SHAPE_Z)
         return;
-    for (struct model_vertex *v = mesh->vertices + vertex; v < mesh->vertices + mesh->vertex_count; v++) {
+    for (size_t i = vertex; i < mesh->vertex_count; i++) { /* none: there may be no array */
+        struct model_vertex *v = &mesh->vertices[i];
         set_axis(v->position, axis);
         set_axis(v->normal, axis);
         set_axis(v->tangent, axis);

@@ -19,7 +19,7 @@
 int glint_main(int argc, char **argv);
 int view_main(int argc, char **argv);
 
-enum { MOST_WORDS = 24, MOST_TOLD = 4096, HANG_SECONDS = 60, DIED = 126, MOST_FAILURES = 20 };
+enum { MOST_WORDS = 24, MOST_TOLD = 4096, HANG_SECONDS = 600, DIED = 126, MOST_FAILURES = 20 };
 
 struct tool {
     const char *name, *line; /* words parted by spaces; the first: which program */

@@ -16,11 +16,11 @@ one() {
     fuzz_view) most=1280 ;;
     fuzz_remote) most=320 ;;
     fuzz_scene) most=4000 ;;
-    fuzz_json) most=1600 ;;
+    fuzz_json | fuzz_mesh) most=1600 ;;
     fuzz_picture) most=400 ;;
     *) most=192 ;;
     esac
-    ASAN_OPTIONS=quarantine_size_mb=1:malloc_context_size=4 "$build/fuzz/$1" -max_total_time="$seconds" -max_len=$most \
+    ASAN_OPTIONS=quarantine_size_mb=1:malloc_context_size=4:max_allocation_size_mb=1500 "$build/fuzz/$1" -max_total_time="$seconds" -max_len=$most \
         -timeout=10 -reload=0 -print_final_stats=1 -artifact_prefix="$build/broken/$1-" \
         "$found" "$corpus/$1" >"$log" 2>&1
     code=$?

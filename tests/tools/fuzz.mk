@@ -5,6 +5,8 @@ FUZZ_CORPUS := tests/fuzz/corpus
 # Whose lines the corpus reaches, all of them.
 FUZZ_SRC := host-tools/view/parser.c host-tools/view/frames.c host-tools/view/unpack.c firmware/stream/pack.c \
 	firmware/stream/receive.c firmware/app/remote.c
+# Of what reads files, as far as that is so.
+FUZZ_FILE_SRC := host-tools/scene/node.c firmware/scene/scene_effects.c boards/linux/values.c
 FUZZ_LIB := $(BUILD)/fuzz/libfuzz.a
 FUZZ_SCENES := mini clip
 FUZZ_SCENE_C := $(SCENE_DIR)/fuzz_list.c $(FUZZ_SCENES:%=$(SCENE_DIR)/%.c)
@@ -30,8 +32,9 @@ FUZZ_MUTATE_fuzz_scene := mutate_scene.c
 FUZZ_MUTATE_fuzz_json := mutate_json.c
 FUZZ_MUTATE_fuzz_picture := mutate_picture.c
 FUZZ_FLAGS_fuzz_view := -Wl,--wrap=malloc -Wl,--wrap=realloc
+FUZZ_FLAGS_fuzz_mesh := -Wl,--wrap=aiImportFileExWithProperties -Wl,--wrap=freopen
 # Those that read files as the tools do, with all that belongs to it.
-FUZZ_FILES := fuzz_json fuzz_picture fuzz_settings
+FUZZ_FILES := fuzz_json fuzz_mesh fuzz_picture fuzz_settings
 FUZZ_PART_fuzz_remote := $(FUZZ_SCENE_C)
 FUZZ_PART_fuzz_settings := $(FUZZ_SCENE_C)
 define fuzz_rule
@@ -56,7 +59,7 @@ fuzz-replay: $(FUZZ_BIN)
 # Counted afresh at each run.
 fuzz-lines: $(FUZZ_BIN)
 	@find $(BUILD) -name '*.gcda' -delete
-	@$(MAKE) fuzz-replay >/dev/null && tests/fuzz/lines.sh $(BUILD)/obj $(FUZZ_SRC)
+	@$(MAKE) fuzz-replay >/dev/null && tests/fuzz/lines.sh tests/fuzz/lines.txt $(BUILD)/obj $(FUZZ_SRC) $(FUZZ_FILE_SRC)
 
 suite-fuzz: $(FUZZ_SCENE_C)
 	@status=0; $(MAKE) fuzz-replay || status=1; \
