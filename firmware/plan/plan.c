@@ -148,7 +148,7 @@ void plan_triangle(struct shade_plan *plan, const struct plan_surface *s, const 
         }
     }
     plan->hidden_lights = fx_u8(!f.lit);
-    plan->hidden_highlights = fx_u8(f.specular && !f.shines);
+    plan->hidden_highlights = f.specular && !f.shines;
     const int finished = !s->apart || (!f.shines && (!f.lit || parts_scaled(f.diffuse, f.l.top) <= s->full));
     if (!f.lit && !f.shines)
         plan->rung = PLAN_DARK;

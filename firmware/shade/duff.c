@@ -62,6 +62,6 @@ void shade_duff(struct shade_setup *setup, const struct shade_input *in)
     factors.are_dots = 0;
     factors.folds = duff_direct(setup, in);
     dots_setup(setup, in, &factors, 0);
-    setup->length = fx_u8(factors.folds && shade_alone(setup));
+    setup->length = factors.folds && shade_alone(setup);
     duff_square(setup, in);
 }

@@ -156,7 +156,7 @@ static __attribute__((noinline)) void duff_in_perspective(struct shade_setup *se
 {
     int32_t value[3], bulge[3], squares[3], bulges[3];
     weigh(p);
-    setup->length = fx_u8(setup->length && is_long(p, in));
+    setup->length = setup->length && is_long(p, in);
     for (unsigned i = 0; i < surface_lights(in->surface); i++) {
         if (in->plan.diffuse >> i & 1)
             numerator(setup, in, p, 2 * i);
@@ -185,7 +185,7 @@ void shade_planned_duff(struct shade_setup *setup, const struct shade_input *in)
     setup->diffuse_lights = in->plan.diffuse;
     setup->specular_lights = in->plan.specular;
     plane_setup_quadratic(&setup->plane);
-    setup->length = fx_u8(duff_direct(setup, in) && shade_alone(setup));
+    setup->length = duff_direct(setup, in) && shade_alone(setup);
     if (USES(USES_PERSPECTIVE) && !in->plan.undivided && perspective_setup(&perspective, in)) {
         duff_in_perspective(setup, in, &perspective);
         return;
