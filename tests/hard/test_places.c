@@ -235,12 +235,58 @@ static void a_light_inside_the_box_hides_few_highlights(void **state)
     assert_true(centres > 3000 && missed * 20 < centres && away > 3000);
 }
 
+/* A vertex on the line between a light and an eye that are near: what is left of L + V is roundings, and there is no
+ * half-way. A hundredth of a radian aside there is, where it should be. */
+static void between_a_near_light_and_eye_there_is_no_half_way(void **state)
+{
+    double worst = 1;
+    (void)state;
+    random_seed(3);
+    for (int i = 0; i < 20000; i++) {
+        struct object_state object = {.local = 1};
+        const int32_t place[3] = {random_between(-9000, 9000), random_between(-9000, 9000),
+                                  random_between(-9000, 9000)};
+        const double lean = i & 1 ? .01 : 0;
+        double line[3], aside[3], l[3], v[3], half[3];
+        q14_t towards[3], got[3];
+        random_direction(line, 3);
+        random_direction(aside, 3);
+        const double along = hard_dot(line, aside);
+        object.light[0].source.near = object.eye.near = 1;
+        for (int a = 0; a < 3; a++) {
+            object.light[0].source.at[a] = place[a] + (int32_t)lrint(line[a] * 60000);
+            object.eye.at[a] = place[a] - (int32_t)lrint((line[a] - lean * (aside[a] - along * line[a])) * 90000);
+        }
+        object_light_at(&object, 0, place, towards, got);
+        if (!lean) {
+            for (int a = 0; a < 3; a++)
+                assert_int_equal(got[a], 0);
+            continue;
+        }
+        const double at[3] = {place[0], place[1], place[2]};
+        real_way(&object.light[0].source, at, l);
+        real_way(&object.eye, at, v);
+        for (int a = 0; a < 3; a++)
+            half[a] = l[a] + v[a];
+        const double size = sqrt(hard_dot(half, half));
+        if (size < 2. / 512) /* the leaning ran along the line */
+            continue;
+        const double real[3] = {got[0] / 16384., got[1] / 16384., got[2] / 16384.};
+        const double cosine = hard_dot(half, real) / size;
+        worst = cosine < worst ? cosine : worst;
+        assert_true(fabs(sqrt(hard_dot(real, real)) - 1) < 1e-3);
+    }
+    print_message("half-way a hundredth beside opposite: a cosine of %.4f to it at least\n", worst);
+    assert_true(worst > .99);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_two_sided_face_edge_on_is_nothing),
         cmocka_unit_test(neighbours_in_one_depth_are_one_picture_in_any_order),
         cmocka_unit_test(a_light_inside_the_box_hides_few_highlights),
+        cmocka_unit_test(between_a_near_light_and_eye_there_is_no_half_way),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
