@@ -134,16 +134,14 @@ static inline __attribute__((always_inline)) uint32_t spans_rgb565(const struct 
 {
     if (kind & SPANS_COLOUR)
         return v->l >> 24 << 11 | v->h >> 24 << 5 | v->c >> 24;
-    if (!(kind & (SPANS_DIFFUSE | SPANS_HIGHLIGHT)))
+    if (!(kind & SPANS_DIFFUSE))
         return look->colour;
     const uint16_t *entry = look->table;
     if (kind & SPANS_WIDE)
         entry += fx_saturated(fx_wrap_u32(fx_wrap_s32(v->h) >> look->down), 7, 0) * TABLE_DIFFUSE;
     else if (kind & SPANS_HIGHLIGHT)
         entry += fx_saturated(v->h, 7, 23) * TABLE_DIFFUSE;
-    if (kind & SPANS_DIFFUSE)
-        entry += fx_saturated(v->l, 6, 24);
-    return *entry;
+    return entry[fx_saturated(v->l, 6, 24)];
 }
 
 static inline __attribute__((always_inline)) void spans_rgb888(uint8_t *pixel, const struct spans_values *v,
