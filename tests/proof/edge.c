@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * raster/edges.c: one edge, every start, direction and row that it crosses; the step from a row to the next. Of `y` and
- * `centre` the difference alone is used; so y is 0, and again anything where the difference is taken.
+ * `centre` the difference alone is used, which the contract bounds; so y is 0.
  *
  *   proves: edge_setup step
  *   assumes: fx_divmod_floor

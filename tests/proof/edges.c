@@ -13,8 +13,9 @@
 #include "edges.h"
 
 #include "firmware/raster/edges.c"
+#include "geometry/transform.h"
 
-#define REACH (1 << 14) /* GUARD, and a sub-pixel */
+#define REACH (GUARD + 1) /* a corner that was cut may be rounded out */
 #define ROWS  4
 
 static void any_edge(struct edge *e)

@@ -1,6 +1,8 @@
 ; SPDX-License-Identifier: MIT
 ; What edges_setup() and edges_spans() ask of an edge: it falls, and the row crosses it. Each question denies what is to
 ; be shown: unsat.
+; source: firmware/geometry/transform.h
+; code: #define GUARD (1024 * 16 - 1)
 ; source: firmware/raster/edges.c
 ; code: if (b[1] < a[1] && b[1] <= c[1]) { a = b; b = c; c = spare; } else if (c[1] < a[1]) { a = c; c = b; b = spare; }
 ; code: const int32_t hw = 8 * fx_s32(width) - 8, hh = 8 * fx_s32(height) - 8; /* centres at 16 i */ const int32_t ax = a[0] + hw, ay = a[1] + hh, bx = b[0] + hw, by = b[1] + hh, cx = c[0] + hw, cy = c[1] + hh; const int right_turns = by < cy; const int32_t first = (ay + 15) >> 4, middle = ((right_turns ? by : cy) + 15) >> 4; int32_t last = ((right_turns ? cy : by) + 15) >> 4; const int32_t row = first > from ? first : from; last = last < to ? last : to; if (row >= last) return 0; e->row = row; e->middle = middle; e->last = last; e->lower_is_left = !right_turns;
