@@ -6,6 +6,7 @@
  *
  *   proves:   functions of which every statement must be reached
  *   assumes:  functions whose contract (contracts.h) stands for them here; another proof must prove each
+ *   lemmas:   files .smt2: z3 shows there what Eva could not. Each names the code that it rests upon, and what it shows
  *   options:  of Frama-C besides the common ones
  *   then:     what runs after Eva in the same session, as -wp ..., on what Eva could not decide
  */

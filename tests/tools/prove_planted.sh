@@ -36,4 +36,11 @@ planted "a copy of a byte too many" unpack host-tools/view/unpack.c 's/(u->out_e
 planted "room that the buffer does not have" stream firmware/stream/stream.c 's/s->buffer, bytes - 1}/s->buffer, bytes + 1}/'
 [ -z "${ALL-}" ] || planted "a round without its room" pack firmware/stream/pack.c 's/PACK_MARGIN 6u/PACK_MARGIN 3u/'
 [ -z "${ALL-}" ] || planted "a bit more of an index" spans firmware/raster/spans.h 's/fx_saturated(v->l, 6, 24)/fx_saturated(v->l, 7, 23)/'
+planted "a floor that is none" divmod firmware/fixed/fixed.h 's/r + (below & den)/r + (below \& 1)/'
+planted "a remainder one off" edge firmware/raster/edges.c 's/rest >= den/rest > den/'
+planted "a turn a row late" edges firmware/raster/edges.c 's/if (first < e->middle)/if (first <= e->middle)/'
+planted "a row more than there is room for" edges firmware/raster/edges.c 's/} while (++out < end);/} while (++out <= end);/'
+planted "a bound that a lemma does not have" edge tests/proof/edge.smt2 's/(<= (- 2048) c 2048)/(<= (- 2047) c 2048)/'
+planted "a remainder one off, in the lemma too" edge tests/proof/edge.smt2 's/(>= rest den)/(> rest den)/'
+planted "a turn a row late, in the lemma too" edges tests/proof/edges.smt2 's/(<= middle now)/(<= (- middle 1) now)/'
 exit $status

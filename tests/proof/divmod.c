@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: MIT */
+/*
+ * fx_divmod_floor(): every numerator and divisor that fixed.h allows. What relates them is shown by the lemma.
+ *
+ *   proves: fx_divmod_floor
+ *   lemmas: divmod
+ *   options: -eva-precision 0
+ */
+#include "proof.h"
+
+#include "edges.h"
+
+void prove(void)
+{
+    int32_t quotient, remainder;
+    fx_divmod_floor(any_s32(-FX_DIVMOD_MOST, FX_DIVMOD_MOST), any_s32(1, 1 << 30), &quotient, &remainder);
+}
