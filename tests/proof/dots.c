@@ -21,8 +21,7 @@ void plane_quadratic(const struct plane *plane, const int32_t value[3], const in
                      struct channel *channel);
 
 /*@ requires \valid_read(table);
-    assigns \result \from *table, s;
-    ensures 0 <= \result <= 32768; */
+    assigns \result \from *table, s; */
 static inline uint32_t fx_power(const struct fx_power *table, q30_t s);
 
 #include "firmware/shade/dots.c"

@@ -36,4 +36,7 @@ planted "a copy of a byte too many" unpack host-tools/view/unpack.c 's/(u->out_e
 planted "room that the buffer does not have" stream firmware/stream/stream.c 's/s->buffer, bytes - 1}/s->buffer, bytes + 1}/'
 [ -z "${ALL-}" ] || planted "a round without its room" pack firmware/stream/pack.c 's/PACK_MARGIN 6u/PACK_MARGIN 3u/'
 [ -z "${ALL-}" ] || planted "a bit more of an index" spans firmware/raster/spans.h 's/fx_saturated(v->l, 6, 24)/fx_saturated(v->l, 7, 23)/'
+planted "a bulge without its limit" dots firmware/shade/dots.c 's/bulge < -INT32_MAX ? -INT32_MAX/bulge < INT32_MIN ? INT32_MIN/'
+planted "a place's weight too wide" part firmware/shade/part.c 's/rest_x \* (1 << 13)/rest_x * (1 << 18)/'
+[ -z "${ALL-}" ] || planted "a light too many" surface firmware/shade/surface.c 's/i < scene->light_count/i <= scene->light_count/'
 exit $status
