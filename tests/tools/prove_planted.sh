@@ -43,4 +43,7 @@ planted "a row more than there is room for" edges firmware/raster/edges.c 's/} w
 planted "a bound that a lemma does not have" edge tests/proof/edge.smt2 's/(<= (- 2048) c 2048)/(<= (- 2047) c 2048)/'
 planted "a remainder one off, in the lemma too" edge tests/proof/edge.smt2 's/(>= rest den)/(> rest den)/'
 planted "a turn a row late, in the lemma too" edges tests/proof/edges.smt2 's/(<= middle now)/(<= (- middle 1) now)/'
+planted "a bulge without its limit" dots firmware/shade/dots.c 's/bulge < -INT32_MAX ? -INT32_MAX/bulge < INT32_MIN ? INT32_MIN/'
+planted "a place's weight too wide" part firmware/shade/part.c 's/rest_x \* (1 << 13)/rest_x * (1 << 18)/'
+[ -z "${ALL-}" ] || planted "a light too many" surface firmware/shade/surface.c 's/i < scene->light_count/i <= scene->light_count/'
 exit $status
