@@ -14,8 +14,7 @@
 #include "fixed/fixed.h"
 
 /*@ requires \valid_read(table);
-    assigns \result \from *table, s;
-    ensures 0 <= \result <= 32768; */
+    assigns \result \from *table, s; */
 static inline uint32_t fx_power(const struct fx_power *table, q30_t s);
 
 #include "firmware/shade/surface.c"
