@@ -37,8 +37,9 @@ static __attribute__((noinline)) int16_t into_guard(int16_t v)
 
 int project_clipped(const struct transform *t, const struct eye_point *e, struct screen_point *out)
 {
-    const int fits = project_within(t, *e, INT16_MAX, out);
+    if (!project_within(t, *e, INT16_MAX, out))
+        return 0;
     out->x = into_guard(out->x);
     out->y = into_guard(out->y);
-    return fits;
+    return 1;
 }
