@@ -11,16 +11,9 @@
 
 #include "clip_case.h"
 
-/* An orthographic view under which a position unit is a sub-pixel. */
 static void begin_flat(void)
 {
-    scene_case_default(&scene, WIDTH, HEIGHT);
-    scene.head.camera.kind = CAMERA_ORTHOGRAPHIC;
-    scene.head.camera.focal = CASE_UNIT;
-    scene.mesh[0].head.extent = 2048 * CASE_UNIT;
-    scene.mesh[0].head.radius = 8192 * CASE_UNIT;
-    scene.head.camera.far_plane = 20000 * CASE_UNIT;
-    scene.object[0].position[2] = -9000 * CASE_UNIT;
+    scene_case_sub_pixels(&scene, WIDTH, HEIGHT);
     clip_begin();
 }
 

@@ -60,6 +60,19 @@ static inline void scene_case_default(struct scene_case *c, uint16_t width, uint
     c->object[0].scale = CASE_UNIT;
 }
 
+/* The same under an orthographic camera by which a position unit is a sub-pixel, so that corners beyond the guard band
+ * are known. */
+static inline void scene_case_sub_pixels(struct scene_case *c, uint16_t width, uint16_t height)
+{
+    scene_case_default(c, width, height);
+    c->head.camera.kind = CAMERA_ORTHOGRAPHIC;
+    c->head.camera.focal = CASE_UNIT;
+    c->mesh[0].head.extent = 2048 * CASE_UNIT;
+    c->mesh[0].head.radius = 8192 * CASE_UNIT;
+    c->head.camera.far_plane = 20000 * CASE_UNIT;
+    c->object[0].position[2] = -9000 * CASE_UNIT;
+}
+
 /* A unit vector of Q14 as the packer rounds it. */
 static inline void scene_case_normal(q14_t out[3], double x, double y, double z)
 {

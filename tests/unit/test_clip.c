@@ -72,19 +72,6 @@ static void open_grey(struct frame_case *f, const struct glint_method *method)
     frame_case_open(f);
 }
 
-/* An orthographic camera under which a position unit is a sub-pixel, so that corners beyond the guard band are known.
- */
-static void sub_pixel_camera(void)
-{
-    scene_case_default(&scene, WIDTH, HEIGHT);
-    scene.head.camera.kind = CAMERA_ORTHOGRAPHIC;
-    scene.head.camera.focal = CASE_UNIT;
-    scene.mesh[0].head.extent = 2048 * CASE_UNIT;
-    scene.mesh[0].head.radius = 8192 * CASE_UNIT;
-    scene.head.camera.far_plane = 20000 * CASE_UNIT;
-    scene.object[0].position[2] = -9000 * CASE_UNIT;
-}
-
 static struct cover_point corner[RING + 1];
 
 /* At the guard band, 1024 pixels out, beyond it, a sub-pixel inside it, where a cut close by may be rounded to a
@@ -145,7 +132,7 @@ static void edge_shared_across_the_guard_band_is_drawn_once(void **state)
     struct frame_case f;
     uint32_t clipped = 0;
     long covered = 0;
-    sub_pixel_camera();
+    scene_case_sub_pixels(&scene, WIDTH, HEIGHT);
     open_grey(&f, &glint_flat);
     random_seed(61);
     for (int fans = 0; fans < 2000;) {
@@ -196,7 +183,7 @@ static void edge_to_a_corner_at_the_guard_band_is_drawn_once(void **state)
     static uint8_t count[WIDTH * HEIGHT];
     struct frame_case f;
     int tested = 0;
-    sub_pixel_camera();
+    scene_case_sub_pixels(&scene, WIDTH, HEIGHT);
     open_grey(&f, &glint_flat);
     random_seed(65);
     memset(vertex, 0, sizeof vertex);
@@ -246,7 +233,7 @@ static void x_on_pieces_has_the_values_of_the_whole_triangle(void **state)
     struct frame_case f;
     double worst = 0;
     long compared = 0;
-    sub_pixel_camera();
+    scene_case_sub_pixels(&scene, WIDTH, HEIGHT);
     scene.material[0].ka = 0;
     scene.material[0].kd = 32768;
     open_grey(&f, &glint_x);
