@@ -2,10 +2,9 @@
 /*
  * geometry/object.c: directions to any light and eye from any place, far and near, and a mesh's vertices placed and lit
  * by no light, one and eight. Eye points and places on the screen are any (project.c proves how they are made).
- * object_near() and object_local() are without alarm as well: that there are near lights is a constant.
  *
- *   proves: object_way object_dot towards_point object_towards half_way object_light_at light_vertex light_locally
- *           object_place_vertices
+ *   proves: object_way object_dot towards_point object_towards half_way object_light_at
+ *           light_vertex light_locally object_place_vertices
  *   assumes: object_unit fx_rsqrt_norm
  *   lemmas: object
  *   options: -eva-precision 0 -eva-slevel 100 -eva-min-loop-unroll 3 -eva-split-return full
