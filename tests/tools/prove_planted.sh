@@ -22,6 +22,7 @@ mkdir -p "$folder"
 planted "a shift too far" plane firmware/shade/plane.c 's/(y2 \* y2) << 3/(y2 * y2) << 4/'
 planted "a clamp that lets more through" clip firmware/geometry/clip.c 's/down > 18/down > 22/'
 planted "a corner more than there is room for" clip firmware/geometry/clip.c 's/(db < 0) \&\& to->count < CLIP/(db < 0) \&\& to->count <= CLIP/'
+planted "a turn too many" uv firmware/shade/uv.c 's/value\[k\] \*= 1 << 16;/value[k] *= 1 << 17;/'
 planted "a place farther than the farthest, in the lemma too" light tests/proof/light.smt2 's/(<= most farthest)/(<= most (* 8 farthest))/'
 [ -z "${ALL-}" ] || planted "a unit vector of 16 bits" unit firmware/geometry/object.c 's/fx_clz(largest)) - 17;/fx_clz(largest)) - 16;/'
 planted "a cut without a length, in the lemma too" clip tests/proof/clip.smt2 's/(< d1 0)/(<= d1 0)/'
