@@ -7,7 +7,7 @@
 #define LOG2_E   3098164009u /* 1 / ln 2 in Q31 */
 #define THINNEST 13
 
-/* A positive number, m 2^-down with m in [2^31, 2^32); 0 as the least there is. */
+/* A positive number, m 2^-down with m in [2^31, 2^32). */
 struct scaled {
     uint32_t m;
     int down;
@@ -15,8 +15,6 @@ struct scaled {
 
 FX_COLD static struct scaled scaled_of(uint64_t x, int down)
 {
-    if (!x)
-        return (struct scaled){1u << 31, 96};
     for (; x >> 32 == 0; down++)
         x <<= 1;
     for (; x >> 32; down--) /* at most 31 bits go */
