@@ -56,5 +56,5 @@ planted "a place's weight too wide" part firmware/shade/part.c 's/rest_x \* (1 <
 [ -z "${ALL-}" ] || planted "a corner outside the box" plane_setup tests/proof/plane_setup.smt2 's/(<= 0 v 32768)/(<= 0 v 32769)/'
 planted "a remainder that is none" divmod tests/proof/divmod_narrow.smt2 's/(- den 1 r) r)/(- den r) r)/'
 planted "a pixel's place twice as far" exact firmware/shade/plane_wide.c 's/(x - plane->ox) \* 16/(x - plane->ox) * 32/'
-planted "weights of more than 1" exact tests/proof/exact.smt2 's/(- 65536 u) most_v/(- 65537 u) most_v/'
+planted "weights of more than 1" exact tests/proof/exact.smt2 's/() Int (- 65536 u v)/() Int (- 65537 u v)/'
 exit $status
