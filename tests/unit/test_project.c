@@ -153,6 +153,7 @@ static void a_wall_before_the_eye_fills_the_picture_or_is_dropped_whole(void **s
     for (int k = 0; k < 3; k++)
         scene_case_normal(vertex[k].normal, 0, 0, 1);
     scene_case_bend(&triangle, vertex);
+    c.material[0].flags = MATERIAL_TWO_SIDED;
     for (int steps = 1; steps <= 64; steps = steps == 7 ? 32 : steps + 1) {
         struct frame_case f = frame_case_small(64, 64, GLINT_GREY8);
         c.object[0].position[2] = -CASE_UNIT / 128 * steps;
