@@ -55,4 +55,9 @@ planted "a turn a row late, in the lemma too" edges tests/proof/edges.smt2 's/(<
 planted "a bulge without its limit" dots firmware/shade/dots.c 's/bulge < -INT32_MAX ? -INT32_MAX/bulge < INT32_MIN ? INT32_MIN/'
 planted "a place's weight too wide" part firmware/shade/part.c 's/rest_x \* (1 << 13)/rest_x * (1 << 18)/'
 [ -z "${ALL-}" ] || planted "a light too many" surface firmware/shade/surface.c 's/i < scene->light_count/i <= scene->light_count/'
+[ -z "${ALL-}" ] || planted "a shift of another scale" plane_setup firmware/shade/plane.c 's/up - scale - 14/up - scale - 13/'
+[ -z "${ALL-}" ] || planted "a corner outside the box" plane_setup tests/proof/plane_setup.smt2 's/(<= 0 v 32768)/(<= 0 v 32769)/'
+planted "a remainder that is none" divmod tests/proof/divmod_narrow.smt2 's/(- den 1 r) r)/(- den r) r)/'
+planted "a pixel's place twice as far" exact firmware/shade/plane_wide.c 's/(x - plane->ox) \* 16/(x - plane->ox) * 32/'
+planted "weights of more than 1" exact tests/proof/exact.smt2 's/() Int (- 65536 u v)/() Int (- 65537 u v)/'
 exit $status
