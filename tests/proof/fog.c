@@ -4,7 +4,7 @@
  * triangle and run.
  *
  *   proves: scaled_of product quotient fitted q16_of closeness_of argument part_of fog_part q14_of first_depth error_of
- *           scale_of fog_begin bow_of exponential_error linear_error fog_run_error set_even fog_choose
+ *           density_of scale_of fog_begin bow_of exponential_error linear_error fog_run_error set_even fog_choose
  *   assumes: fx_divide_u64 fx_recip_norm fx_exp2_minus
  *   lemmas: fog
  *   options: -eva-precision 0 -eva-slevel 100 -eva-min-loop-unroll 3 -eva-split-return full

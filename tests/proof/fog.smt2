@@ -32,12 +32,13 @@
 
 ; Numbers of 32 bits: what they are moved by stays small, as they are made of given ones (0 to 32) by at most three
 ; products and quotients, one of another.
-; code: if (!x) return (struct scaled){1u << 31, 96}; for (; x >> 32 == 0; down++) x <<= 1; for (; x >> 32; down--) /* at most 31 bits go */ x >>= 1; return (struct scaled){fx_u32(x), down}; }
+; code: for (; x >> 32 == 0; down++) x <<= 1; for (; x >> 32; down--) /* at most 31 bits go */ x >>= 1; return (struct scaled){fx_u32(x), down}; }
 ; code: return scaled_of(fx_u64(a.m) * b.m, a.down + b.down); }
 ; code: return scaled_of(fx_divide_u64(fx_u64(a.m) << 31, b.m), a.down + 31 - b.down); }
 ; code: error = q16_of(quotient(exponential ? scaled_of(25, 5) : scaled_of(reach * reach, 32), a)); } else { error = q16_of(a) / 2; }
-; code: const struct scaled depths = scaled_of(DEPTHS, 0); const struct scaled per_unit = fog->kind == FOG_LINEAR ? quotient(scaled_of(1, 0), scaled_of(thickness, 16)) : product(scaled_of(scene->fog.density, 24), (struct scaled){LOG2_E, 31}); if (fog->divides) return product(product(scaled_of(fx_u32(camera->near_plane), 16), depths), per_unit); return product(quotient(scaled_of(fx_u32(camera->far_plane - camera->near_plane), 16), depths), per_unit); }
-; code: q16_of(product(scaled_of(far, 16), product(scaled_of(from->density, 24), (struct scaled){LOG2_E, 31})));
+; code: return product(scaled_of(fog->divides || density < most ? density : most, 24), (struct scaled){LOG2_E, 31}); }
+; code: const struct scaled depths = scaled_of(DEPTHS, 0); const struct scaled per_unit = fog->kind == FOG_LINEAR ? quotient(scaled_of(1, 0), scaled_of(thickness, 16)) : density_of(fog, scene); if (fog->divides) return product(product(scaled_of(fx_u32(camera->near_plane), 16), depths), per_unit); return product(quotient(scaled_of(fx_u32(camera->far_plane - camera->near_plane), 16), depths), per_unit); }
+; code: fog->offset = q16_of(product(scaled_of(far, 16), density_of(fog, scene)));
 ; shows: scaled_of: signed_overflow: down + 1 ≤ 2147483647
 ; shows: scaled_of: signed_overflow: -2147483648 ≤ down - 1
 ; shows: product: signed_overflow: -2147483648 ≤ a.down + b.down
@@ -60,7 +61,7 @@
 (assert (not (<= 2147483648 (div x 2))))
 (check-sat)
 (pop)
-(define-fun moved ((to Int) (down Int)) Bool (or (<= (- down 32) to (+ down 32)) (= to 96)))
+(define-fun moved ((to Int) (down Int)) Bool (<= (- down 32) to (+ down 32)))
 (define-fun given ((d Int)) Bool (or (= d 31) (exists ((down Int)) (and (<= 0 down 32) (moved d down)))))
 (declare-const a Int)
 (declare-const b Int)

@@ -66,7 +66,6 @@ static void triangles(const struct shade_input *in)
     //@ loop unroll 3;
     for (int i = 0; i < 3; i++)
         uv_setup_corners(&setup, &uv, kinds[i]);
-    setup.uv_kind = any_u32(0, 3);
     uv_setup(&setup, in, any_u32(0, 5));
 }
 
