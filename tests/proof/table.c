@@ -5,8 +5,7 @@
  *   proves: made_for diffuse_of make_colours make_highlights make table_bytes table_at table_clear table_find
  *           table_error
  *   assumes: fx_power
- *   options: -eva-precision 0 -eva-slevel 50 -eva-min-loop-unroll 3
- *            -eva-slevel-function make_colours:100000,make_highlights:100000
+ *   options: -eva-precision 0 -eva-slevel 0 -eva-min-loop-unroll 130
  */
 #include "proof.h"
 
