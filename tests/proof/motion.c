@@ -16,6 +16,17 @@
 #include "contracts.h"
 
 #include "firmware/fixed/divide.c"
+#include "geometry/rotation.h"
+
+/*@ requires share: t <= 65536; */
+static int32_t mix(int32_t a, int32_t b, uint32_t t);
+
+/*@ ensures first: -0x40004000 <= out[0] <= 0x40004000;
+    ensures second: -0x40004000 <= out[1] <= 0x40004000;
+    ensures third: -0x40004000 <= out[2] <= 0x40004000;
+    ensures fourth: terms == 4 ==> -0x40004000 <= out[3] <= 0x40004000; */
+static void normalise(const int32_t *v, int terms, q30_t *out);
+
 #include "firmware/geometry/rotation.c"
 
 #define UNIT ((1 << 30) + (1 << 10)) /* of a component, its vector within 2^-20 of 1 */
