@@ -22,6 +22,7 @@ mkdir -p "$folder"
 planted "a shift too far" plane firmware/shade/plane.c 's/(y2 \* y2) << 3/(y2 * y2) << 4/'
 planted "a clamp that lets more through" clip firmware/geometry/clip.c 's/down > 18/down > 22/'
 planted "a corner more than there is room for" clip firmware/geometry/clip.c 's/(db < 0) \&\& to->count < CLIP/(db < 0) \&\& to->count <= CLIP/'
+planted "a cut without a length, in the lemma too" clip tests/proof/clip.smt2 's/(< d1 0)/(<= d1 0)/'
 [ -z "${ALL-}" ] || planted "a texture's mask one too large" texture firmware/raster/texture.c 's/(1u << t->log2_height) - 1/(1u << t->log2_height)/'
 planted "an index one too far" power firmware/fixed/power.c 's/value\[FX_POWER_STEPS + 1\]/value[FX_POWER_STEPS + 2]/'
 planted "a message given before its last byte" parser host-tools/view/parser.c 's/if (count < p->need)/if (count + 1 < p->need)/'
