@@ -19,6 +19,9 @@
 ; shows: shape_of: precondition of scaled: fits: -(0x4000 << down) < x * (1 << up) < 0x4000 << down
 ; shows: shape_of: postcondition: scale: -2 ≤ \result.scale ≤ 28
 ; shows: shape_of: postcondition: product: \result.det ≡ \result.x1 * \result.y2 - \result.x2 * \result.y1
+; shows: shape_of: postcondition: widest: \result.scale > -2 ∨ \result.det ≤ 0x8000000
+; shows: shape_of: postcondition: large: \result.det ≤ 0 ∨ \result.x1 ≥ 0x2000 ∨ \result.y1 ≥ 0x2000 ∨ \result.x2 ≥ 0x2000 ∨ \result.y2 ≥ 0x2000 ∨ \result.x1 ≤ -0x2000 ∨ \result.y1 ≤ -0x2000 ∨ \result.x2 ≤ -0x2000 ∨ \result.y2 ≤ -0x2000
+; shows: shape_of: postcondition: within: within((\old(p) + 1)->x - (\old(p) + 0)->x, \result.scale) ∧ within((\old(p) + 1)->y - (\old(p) + 0)->y, \result.scale) ∧ within((\old(p) + 2)->x - (\old(p) + 0)->x, \result.scale) ∧ within((\old(p) + 2)->y - (\old(p) + 0)->y, \result.scale)
 ; shows: part_height: precondition of height_of: product: product(s)
 ; shows: part_height: precondition of height_of: large: s->det ≤ 0 ∨ large(s)
 ; shows: height_of: division_by_zero: a ≢ 0
@@ -51,6 +54,15 @@
                   (= (bvashr (bvshl x up) up) x))))
 (check-sat)
 (pop)
+(push) ; that is |x| < 2^(32 - n), where scale - 15, of the plane's, is n - 18
+(assert (not (bvult (size x) (bvshl #x0000000000000001 (bvsub #x0000000000000020 n)))))
+(check-sat)
+(pop)
+(push) ; at the scale of -2, where n is 1, it is 2^13 at most
+(assert (= n #x0000000000000001))
+(assert (not (bvule (size (bvashr x down)) #x0000000000002000)))
+(check-sat)
+(pop)
 (push) ; what has the leading bit is 2^13 or more in size when it is scaled, and then not -2^14
 (assert (= (bvlshr (size x) (bvsub #x000000000000001f n)) #x0000000000000001))
 (assert (not (bvsge (size (bvashr (bvshl x up) down)) #x0000000000002000)))
@@ -74,6 +86,12 @@
   (ite (> (abs x) (abs y)) (+ (abs x) (div (abs y) 2)) (+ (abs y) (div (abs x) 2))))
 (define-fun longer ((a Int) (b Int)) Int (ite (> a b) a b))
 (define-fun a () Int (longer (longer (length x1 y1) (length x2 y2)) (length (- x2 x1) (- y2 y1))))
+(push) ; two products of 2^26 at most
+(define-fun within ((v Int)) Bool (<= (- 8192) v 8192))
+(assert (and (within x1) (within y1) (within x2) (within y2)))
+(assert (not (<= (- (* x1 y2) (* x2 y1)) 134217728)))
+(check-sat)
+(pop)
 (push)
 (assert (and (<= (abs x1) 16383) (<= (abs y1) 16383) (<= (abs x2) 16383) (<= (abs y2) 16383)))
 (assert (or (>= (abs x1) 8192) (>= (abs y1) 8192) (>= (abs x2) 8192) (>= (abs y2) 8192)))

@@ -40,11 +40,13 @@ static int32_t scaled(int32_t x, int up, int down);
                                        -0x3fff <= s->x2 <= 0x3fff && -0x3fff <= s->y2 <= 0x3fff;
     predicate large(struct shape *s) = s->x1 >= 0x2000 || s->y1 >= 0x2000 || s->x2 >= 0x2000 || s->y2 >= 0x2000 ||
                                        s->x1 <= -0x2000 || s->y1 <= -0x2000 || s->x2 <= -0x2000 || s->y2 <= -0x2000;
+    predicate within(integer d, integer scale) = -(1 << (29 - scale)) < d < (1 << (29 - scale));
     predicate product(struct shape *s) = s->det == s->x1 * s->y2 - s->x2 * s->y1; */
 
 /*@ requires reach: -0x40000000 <= at <= 0x40000000;
     requires apart: \valid(pixel) && \valid(sub) && \valid(rest);
     assigns *pixel, *sub, *rest \from at;
+    ensures set: \initialized(pixel) && \initialized(sub) && \initialized(rest);
     ensures pixel: -2048 <= *pixel <= 2048;
     ensures sub: -8 <= *sub <= 8;
     ensures rest: -0x4000 <= *rest <= 0x4000; */
@@ -58,7 +60,13 @@ static void nearest(int32_t at, int32_t *pixel, int32_t *sub, int32_t *rest);
     ensures scale: -2 <= \result.scale <= 28;
     ensures lost: 0 <= \result.lost <= 1;
     ensures product: \result.det == \result.x1 * \result.y2 - \result.x2 * \result.y1;
-    ensures bound: -0x20000000 < \result.det < 0x20000000; */
+    ensures bound: -0x20000000 < \result.det < 0x20000000;
+    ensures widest: \result.scale > -2 || \result.det <= 0x8000000;
+    ensures large: \result.det <= 0 || \result.x1 >= 0x2000 || \result.y1 >= 0x2000 || \result.x2 >= 0x2000 ||
+                   \result.y2 >= 0x2000 || \result.x1 <= -0x2000 || \result.y1 <= -0x2000 ||
+                   \result.x2 <= -0x2000 || \result.y2 <= -0x2000;
+    ensures within: within(p[1].x - p[0].x, \result.scale) && within(p[1].y - p[0].y, \result.scale) &&
+                    within(p[2].x - p[0].x, \result.scale) && within(p[2].y - p[0].y, \result.scale); */
 static struct shape shape_of(const struct part_place p[3]);
 
 /*@ requires small: small(s);
