@@ -7,7 +7,7 @@
 ; code: x = x * (1 << up) >> down; return x + (x == -(1 << 14)); }
 ; code: *pixel = (at + (1 << 18)) >> 19; int32_t to_centre = *pixel * (1 << 19) - at; /* at most 2^18 */ *sub = (to_centre + (1 << 14)) >> 15; *rest = to_centre - *sub * (1 << 15); }
 ; shows: part_place: postcondition: box: -0x20000000 ≤ \result.x ≤ 0x20000000 ∧ -0x20000000 ≤ \result.y ≤ 0x20000000
-; shows: part_weights: postcondition: each: share(*(\old(weight) + 0)) ∧ share(*(\old(weight) + 1)) ∧ share(*(\old(weight) + 2))
+; shows: part_weights: postcondition: each: *(\old(weight) + 0) ≤ 0x8000 ∧ *(\old(weight) + 1) ≤ 0x8000 ∧ *(\old(weight) + 2) ≤ 0x8000
 ; shows: part_weights: postcondition: whole: (*(\old(weight) + 0) + *(\old(weight) + 1)) + *(\old(weight) + 2) ≡ 0x8000
 ; shows: scaled: postcondition: small: -0x3fff ≤ \result ≤ 0x3fff
 ; shows: nearest: postcondition: sub: -8 ≤ *\old(sub) ≤ 8

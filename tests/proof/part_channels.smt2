@@ -28,6 +28,16 @@
 ; code: return (colour + (1 << (lost - 1))) >> lost; }
 ; code: value[k] = rounded(corner[k]->colour[c], lost);
 ; code: const int32_t ends = value[k] + value[k == 2 ? 0 : k + 1]; bulge[k] = (ends - 2 * rounded(middle[k].colour[c], lost)) * (1 << 15);
+; by part_corners.smt2, of three corners each
+; shows: frame_setup: precondition of part_place: weights: corner->weight[0] + corner->weight[1] ≤ 0x8000
+; shows: frame_setup: precondition of part_place: weights: corner->weight[0] + corner->weight[1] ≤ 0x8000
+; shows: frame_setup: precondition of part_place: weights: corner->weight[0] + corner->weight[1] ≤ 0x8000
+; shows: narrow: precondition of part_place: weights: corner->weight[0] + corner->weight[1] ≤ 0x8000
+; shows: narrow: precondition of part_place: weights: corner->weight[0] + corner->weight[1] ≤ 0x8000
+; shows: narrow: precondition of part_place: weights: corner->weight[0] + corner->weight[1] ≤ 0x8000
+; shows: frame_setup: shift: 0 ≤ (int)(2 * s->scale) < 32
+; shows: part_linear: precondition of plane_linear: scale: -2 ≤ plane->scale ≤ 13
+; by what follows
 ; shows: frame_setup: precondition of height_of: product: product(s)
 ; shows: frame_setup: precondition of fx_recip_norm: m ≥ 0x80000000
 ; shows: frame_setup: precondition of nearest: reach: -0x40000000 ≤ at ≤ 0x40000000

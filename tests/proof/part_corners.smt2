@@ -1,6 +1,6 @@
 ; SPDX-License-Identifier: MIT
 ; Corners of parts, wherever they are made: their two weights sum to 2^15 at most, and a part is a sub-pixel wide or high
-; at least. Each question denies what is to be shown: unsat.
+; at least. What follows from that, part_channels.smt2 and part_shade.smt2 name. Each question denies what is to be shown: unsat.
 ; source: firmware/shade/part.c
 ; code: corner->weight[0] = k == 0 ? PART_ONE : 0; corner->weight[1] = k == 1 ? PART_ONE : 0;
 ; code: for (int i = 0; i < 2; i++) out->weight[i] = fx_u16((a->weight[i] + b->weight[i]) >> 1);
@@ -24,15 +24,6 @@
 ; code: if (is_short(r, peak, end)) return 0; part_between(&r->input, peak, end, middle);
 ; code: const struct part_corner *const rest[3] = {peak, &end[0], &end[1]}, *const cut[3] = {&middle, &end[0], &end[1]};
 ; code: return draw_fan(r, e, a, b, c); uint32_t drawn = draw_fan(r, e, peak, a, b) + draw_fan(r, e, peak, c, a); return place == SUMMIT_EDGE ? drawn : drawn + draw_fan(r, e, peak, b, c); }
-; of three corners each
-; shows: frame_setup: precondition of part_place: weights: corner->weight[0] + corner->weight[1] ≤ 0x8000
-; shows: frame_setup: precondition of part_place: weights: corner->weight[0] + corner->weight[1] ≤ 0x8000
-; shows: frame_setup: precondition of part_place: weights: corner->weight[0] + corner->weight[1] ≤ 0x8000
-; shows: narrow: precondition of part_place: weights: corner->weight[0] + corner->weight[1] ≤ 0x8000
-; shows: narrow: precondition of part_place: weights: corner->weight[0] + corner->weight[1] ≤ 0x8000
-; shows: narrow: precondition of part_place: weights: corner->weight[0] + corner->weight[1] ≤ 0x8000
-; shows: frame_setup: shift: 0 ≤ (int)(2 * s->scale) < 32
-; shows: part_linear: precondition of plane_linear: scale: -2 ≤ plane->scale ≤ 13
 (define-fun share ((a Int) (b Int) (one Int)) Bool (and (<= 0 a) (<= 0 b) (<= (+ a b) one)))
 
 ; Half-way between two corners, a third of three.

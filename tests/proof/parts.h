@@ -24,8 +24,9 @@ struct part_place part_place(const struct shade_input *in, const struct part_cor
 /*@ requires source: source(in);
     requires sums: sums(in);
     requires weights: corner->weight[0] + corner->weight[1] <= 0x8000;
-    assigns weight[0 .. 2] \from *corner, in->weight, in->weight[0 .. 2][0 .. 2];
-    ensures each: share(weight[0]) && share(weight[1]) && share(weight[2]);
+    assigns weight[0 .. 2] \from corner->weight[0 .. 1], in->weight[0 .. 2][0 .. 2];
+    ensures set: \initialized(weight) && \initialized(weight + 1) && \initialized(weight + 2);
+    ensures each: weight[0] <= 0x8000 && weight[1] <= 0x8000 && weight[2] <= 0x8000;
     ensures whole: weight[0] + weight[1] + weight[2] == 0x8000; */
 void part_weights(const struct shade_input *in, const struct part_corner *corner, uint16_t weight[3]);
 
