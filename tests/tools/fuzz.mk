@@ -32,6 +32,7 @@ FUZZ_MUTATE_fuzz_scene := mutate_scene.c
 FUZZ_MUTATE_fuzz_json := mutate_json.c
 FUZZ_MUTATE_fuzz_picture := mutate_picture.c
 FUZZ_FLAGS_fuzz_view := -Wl,--wrap=malloc -Wl,--wrap=realloc
+FUZZ_FLAGS_fuzz_json := -Wl,--wrap=import_file
 FUZZ_FLAGS_fuzz_mesh := -Wl,--wrap=aiImportFileExWithProperties -Wl,--wrap=freopen
 # Those that read files as the tools do, with all that belongs to it.
 FUZZ_FILES := fuzz_json fuzz_mesh fuzz_picture fuzz_settings
