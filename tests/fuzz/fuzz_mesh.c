@@ -83,6 +83,12 @@ static void spoil_tangent(struct aiScene *scene, struct aiMesh *mesh)
     if (mesh->mTangents)
         mesh->mTangents[0].x = NAN;
 }
+static void spoil_picture(struct aiScene *scene, struct aiMesh *mesh)
+{
+    (void)mesh;
+    if (scene->mNumTextures)
+        scene->mTextures[0]->mWidth = 0;
+}
 static void spoil_face(struct aiScene *scene, struct aiMesh *mesh)
 {
     (void)scene;
@@ -94,7 +100,7 @@ static const struct {
     bool refused;
 } spoils[] = {{NULL, false},          {spoil_index, true},      {spoil_index_more, true}, {spoil_material, true},
               {spoil_vertex, true},   {spoil_vertex_far, true}, {spoil_normal, false},    {spoil_uv, false},
-              {spoil_tangent, false}, {spoil_face, false}};
+              {spoil_tangent, false}, {spoil_face, false},      {spoil_picture, false}};
 enum { SPOILS = sizeof spoils / sizeof *spoils };
 
 /* What assimp's own check let through: there is a mesh, with a face of three corners. */
@@ -215,7 +221,7 @@ static void try(const char *path)
     FUZZ_CHECK(!(shared->got && spoils[spoilt].refused) || load.code == 1);
     if (load.code == 0)
         load_draw(&load);
-    if (shared->got)
+    if (!broke)
         read_again(path);
     load_free(&load);
 }

@@ -77,6 +77,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     const enum scene_fault fault = scene_check(blob, size);
     FUZZ_CHECK(scene_fault_text(fault)[0]);
     judge(blob, size, fault);
+    FUZZ_CHECK(size < 2 || scene_check(blob + 2, size - 2) == SCENE_E_ALIGN);
     FUZZ_CHECK(glint_scene_check(blob, size) == (fault ? GLINT_E_SCENE : 0));
     if (!fault)
         draw_all((const struct scene_header *)(const void *)blob, scene_crc32(0, blob, (uint32_t)size));
