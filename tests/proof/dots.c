@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * shade/dots.c: length factors of any bend, samples and bulges of any corners under near lights and far ones, and what
- * their roundings can do to a highlight. object_light_at() is any pair of vectors here, interpolate() and dots_setup()
- * are not proven.
+ * their roundings can do to a highlight. object_light_at() is any pair of vectors here.
  *
  *   proves: dots_length_factor dot dots_sample dots_bulges stretched dots_quadratic dots_bulge_bend
  *           dots_highlight_slack dots_wide dots_deep bounds_power_floor
@@ -14,6 +13,7 @@
 
 #include "contracts.h"
 #include "planes.h"
+#include "samples.h"
 
 /*@ requires \valid_read(plane) && \valid_read(value + (0 .. 2)) && \valid_read(bulge + (0 .. 2)) && \valid(channel);
     assigns *channel \from *plane, value[0 .. 2], bulge[0 .. 2]; */
