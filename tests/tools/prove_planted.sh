@@ -61,5 +61,5 @@ planted "N.L in steps that do not fit" dots_setup firmware/shade/steps.h 's/high
 planted "samples of more than unit vectors" dots_setup tests/proof/samples.smt2 's/2 34816 (+ xy/2 44816 (+ xy/'
 planted "weights without their sum" piece tests/proof/piece.smt2 's/(= (+ wa wb wc) 32768)/(<= (+ wa wb wc) 98304)/'
 planted "a place rounded by more" places firmware/shade/piece.c 's/finer\[1\]) >> 8)/finer[1]) * 256)/'
-planted "closeness moved too far" perspective firmware/shade/perspective.c 's/fx_clz(most) - 16/fx_clz(most) - 15/'
+planted "a product of 65 bits" perspective firmware/shade/perspective.c 's/product >> 1)) >> 31/product)) >> 32/'
 exit $status
