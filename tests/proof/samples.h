@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the samples of shade/dots.c give: shown by dots.c, assumed by dots_setup.c. */
+/* What the samples of shade/dots.c give: shown by dots.c, assumed by dots_setup.c and x.c. */
 #ifndef SAMPLES_H
 #define SAMPLES_H
 
@@ -7,6 +7,10 @@
 
 /*@ predicate row(int32_t *v, integer most) = \initialized(v + (0 .. 2)) && -most <= v[0] <= most &&
         -most <= v[1] <= most && -most <= v[2] <= most; */
+
+/*@ assigns \result \from bend;
+    ensures most: \result <= 0x100000; */
+uint32_t dots_length_factor(uint32_t bend);
 
 /*@ requires \valid_read(in) && light < SCENE_MAX_LIGHTS;
     assigns *samples \from indirect: *in, indirect: light;
