@@ -57,4 +57,12 @@ planted "a place's weight too wide" part firmware/shade/part.c 's/rest_x \* (1 <
 planted "a remainder that is none" divmod tests/proof/divmod_narrow.smt2 's/(- den 1 r) r)/(- den r) r)/'
 planted "a pixel's place twice as far" exact firmware/shade/plane_wide.c 's/(x - plane->ox) \* 16/(x - plane->ox) * 32/'
 planted "weights of more than 1" exact tests/proof/exact.smt2 's/(- 65536 u) most_v/(- 65537 u) most_v/'
+planted "a chord of the wrong quotient" curve tests/proof/curve.smt2 's/(> range (\* 4 scaled))/(> range scaled)/'
+planted "N.L in steps that do not fit" dots_setup firmware/shade/steps.h 's/high < 1 << 15/high < 1 << 17/'
+planted "samples of more than unit vectors" dots_setup tests/proof/six_samples.smt2 's/2 36864 (+ xy/2 44816 (+ xy/'
+planted "weights without their sum" piece tests/proof/piece.smt2 's/(= (+ wa wb wc) 32768)/(<= (+ wa wb wc) 98304)/'
+planted "a place rounded by more" places firmware/shade/piece.c 's/finer\[1\]) >> 8)/finer[1]) * 256)/'
+planted "a product of 65 bits" perspective firmware/shade/perspective.c 's/product >> 1)) >> 31/product)) >> 32/'
+planted "bends of any normals" x tests/proof/x.smt2 's/(\* 4 (- 1 bend)) 0.0035/4 0.0035/'
+planted "a light that there is not" x firmware/shade/x.c 's/in->lights\[k\]\[2 \* light/in->lights[k][3 * light/'
 exit $status
