@@ -34,8 +34,8 @@ static void find_corners(const struct uv_corners *whole, const struct piece *pie
     }
 }
 
-/* What a channel over a part is made of: values from corner 0's on, in Q14 of 2^14 at most, and bulges in Q28, which of
- * differences up to 2^13 are at most 2^28; both times 2^up. */
+/* What a channel over a part is made of: values from corner 0's on, in Q14 of 2^13 at most, and bulges in Q28, which of
+ * differences up to 2^13 are at most 2^28; of the edge 1-2, with twice the difference, 2^29; both times 2^up. */
 struct terms {
     int32_t value[3], bulge[3];
     int up;
