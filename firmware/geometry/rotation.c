@@ -100,8 +100,7 @@ void vector_normalise(const int32_t v[3], q30_t out[3])
     for (int i = 0; i < 3; i++) {
         largest |= fx_u32(w[i] < 0 ? -w[i] : w[i]);
     }
-    unsigned up = fx_clz(largest);
-    up = up > 1 ? up - 1 : 0;
+    const unsigned up = fx_clz(largest) - 1;
     for (int i = 0; i < 3; i++)
         w[i] *= 1 << up;
     normalise(w, 3, out);

@@ -100,6 +100,28 @@ static void the_last_pixel_of_the_longest_row_has_the_right_edges_normal(void **
     free(blob);
 }
 
+/* Twice its area is a sub-pixel squared: at the third corner, a pixel's centre, it is 1/29263 sub-pixel wide. */
+static void a_row_of_hardly_any_width_has_the_normal_of_its_corner(void **state)
+{
+    enum { SIZE = 2048, LEFT = -16376, TOP = -16379, ROW = 980, COLUMN = 1024 };
+    static const int corner[3][2] = {{LEFT, TOP}, {LEFT + 30571, TOP + 29263}, {LEFT + 16384, TOP + 15683}};
+    static const double lean[3] = {.9, .9, 0};
+    (void)state;
+    begin(SIZE, SIZE, corner, lean, 1);
+    struct frame_case f = frame_case_small(SIZE, SIZE, GLINT_GREY8);
+    struct scene_header *blob = scene_case_blob(&c);
+    struct glint_band band;
+    f.config.method = &glint_overveld_scan;
+    f.config.band_rows = 1;
+    frame_case_open_for(&f, blob);
+    assert_int_equal(glint_frame_begin(&f.frame, blob, 0), 0);
+    assert_int_equal(glint_frame_band(&f.frame, ROW, f.config.band[0], &band), 1);
+    for (int x = 0; x < SIZE; x++)
+        assert_in_range(((const uint8_t *)band.pixels)[x], x == COLUMN ? 254 : 0, x == COLUMN ? 255 : 0);
+    frame_case_close(&f);
+    free(blob);
+}
+
 /* A wall of eight position units of which a picture shows a hundredth: a row's
  * ends are one place in whole units. Its left edge is 500 pixels from the
  * middle, so that rows of the pieces between it and the guard band pass the
@@ -142,6 +164,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_sliver_behind_another_shows_where_that_is_not),
         cmocka_unit_test(the_last_pixel_of_the_longest_row_has_the_right_edges_normal),
+        cmocka_unit_test(a_row_of_hardly_any_width_has_the_normal_of_its_corner),
         cmocka_unit_test(a_row_whose_ends_are_one_place_does_not_bend),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
