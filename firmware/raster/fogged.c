@@ -132,10 +132,10 @@ static uint32_t part_q14(const struct raster *r, uint32_t depth)
 static void mix_each(struct raster *r, int x, int y, int n)
 {
     int32_t *part = r->value[0];
-    if (r->fog_plan.kind == FOGGED_LINEARLY) { /* over a sliver */
+    if (r->fog_plan.kind == FOGGED_LINEARLY) { /* over a sliver: by weights, so between its corners' */
         plane_values(&r->setup.plane, &r->setup.fog, x, y, n, part);
         for (int i = 0; i < n; i++)
-            part[i] = part[i] < 0 ? 0 : part[i] >> 16 > ONE_Q14 ? ONE_Q14 : part[i] >> 16;
+            part[i] >>= 16;
     } else {
         plane_values(&r->setup.plane, &r->setup.depth, x, y, n, part);
         for (int i = 0; i < n; i++)

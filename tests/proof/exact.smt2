@@ -10,6 +10,7 @@
 ; code: int32_t bend = fx_mulhi_s32(bulge[0], fx_s32(w * u)) + fx_mulhi_s32(bulge[1], fx_s32(u * v)) + fx_mulhi_s32(bulge[2], fx_s32(v * w));
 ; shows: exact_value: signed_overflow: (int32_t)(tmp_3 + tmp_4) + tmp_5 ≤ 2147483647
 ; shows: exact_value: signed_overflow: -2147483648 ≤ (int32_t)(tmp_3 + tmp_4) + tmp_5
+; shows: exact_value: signed_overflow: tmp_6 + tmp_7 ≤ 2147483647
 ; shows: exact_value: signed_overflow: (int32_t)(tmp_6 + tmp_7) + tmp_8 ≤ 2147483647
 ; shows: exact_value: signed_overflow: -2147483648 ≤ (int32_t)(tmp_6 + tmp_7) + tmp_8
 (define-fun product ((a Int) (b Int)) Bool (=> (and (>= a 0) (>= b 0)) (>= (* a b) 0)))

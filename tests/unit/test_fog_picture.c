@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Linear fog over triangles that are hard for a polynomial: slivers, and the widest there are. */
+/* Linear fog over triangles that are hard for a polynomial: slivers, and the
+ * widest there are. */
 #include "cover.h"
 
 #include <setjmp.h>
@@ -12,10 +13,13 @@
 #include "frame_case.h"
 #include "scene_case.h"
 
-#define AWAY 9000 /* the object, in units; a position unit is 1/16 of one and a sub-pixel on the screen */
+#define AWAY                                                                     \
+    9000 /* the object, in units; a position unit is 1/16 of one and a sub-pixel \
+            on the screen */
 
-/* A white triangle in black fog that begins and ends at these distances. Corners are sub-pixels, y down, clockwise, and
- * 1/16 units nearer than AWAY. */
+/* A white triangle in black fog that begins and ends at these distances.
+ * Corners are sub-pixels, y down, clockwise, and 1/16 units nearer than AWAY.
+ */
 static struct scene_header *triangle_in_fog(struct scene_case *c, const int place[3][3], int from, int to)
 {
     static struct scene_vertex vertex[3];
@@ -76,38 +80,49 @@ static void fog_over_a_sliver_is_its_formula(void **state)
     assert_int_equal(drawn, 750);
 }
 
-/* Interpolated over 2048 pixels a part may come out at 1 + 2^-14: as much as 1. */
+/* Interpolated over 2048 pixels a part may come out at 1 + 2^-14: as much as 1,
+ * also where dither adds least. */
 static void fog_that_is_all_at_two_corners_leaves_no_light_between_them(void **state)
 {
-    enum { SIZE = 2048, Y = 993, NEAR = 18400, FAR = -16000, THICK = (NEAR - FAR) / 16 * 16384 / (16384 - 1117) };
+    enum { SIZE = 2048, ROW = 993, NEAR = 18400, FAR = -16000, THICK = (NEAR - FAR) / 16 * 16384 / (16384 - 1117) };
     static const int place[3][3] = {{4866, -3137, NEAR}, {-14510, 7088, FAR}, {224, -13112, FAR}};
     struct scene_case c;
     (void)state;
-    scene_case_sub_pixels(&c, SIZE, SIZE);
-    struct scene_header *blob = triangle_in_fog(&c, place, AWAY - FAR / 16 - THICK, AWAY - FAR / 16);
-    struct frame_case f = frame_case_small(SIZE, SIZE, GLINT_GREY8);
-    struct glint_band band;
-    f.config.method = &glint_flat;
-    f.config.band_rows = 1;
-    frame_case_open_for(&f, blob);
-    assert_int_equal(glint_frame_begin(&f.frame, blob, 0), 0);
-    assert_int_equal(glint_frame_band(&f.frame, Y, f.config.band[0], &band), 1);
-    const struct cover_point a = {place[1][0], place[1][1]}, b = {place[2][0], place[2][1]},
-                             top = {place[0][0], place[0][1]};
-    int drawn = 0;
-    for (int x = 0; x < SIZE; x++) {
-        const struct cover_point at = cover_centre(x, Y, SIZE, SIZE);
-        const double share = cover_turn(a, b, at) / (double)cover_turn(a, b, top);
-        if (share < 0 || cover_turn(top, a, at) < 0 || cover_turn(b, top, at) < 0)
-            continue;
-        drawn++;
-        const double light = 255 * share * (NEAR - FAR) / 16 / THICK;
-        assert_true(fabs(((const uint8_t *)band.pixels)[x] - light) < 1);
+    for (int moved = 0; moved < 16; moved++) {
+        const int right = moved & 3, down = moved >> 2, y = ROW + down;
+        int corner[3][3];
+        struct cover_point p[3];
+        for (int k = 0; k < 3; k++) {
+            memcpy(corner[k], place[k], sizeof corner[k]);
+            p[k].x = corner[k][0] += 16 * right;
+            p[k].y = corner[k][1] += 16 * down;
+        }
+        scene_case_sub_pixels(&c, SIZE, SIZE);
+        struct scene_header *blob =
+            triangle_in_fog(&c, (const int(*)[3])corner, AWAY - FAR / 16 - THICK, AWAY - FAR / 16);
+        struct frame_case f = frame_case_small(SIZE, SIZE, GLINT_RGB565);
+        struct glint_band band;
+        f.config.method = &glint_flat;
+        f.config.flags = GLINT_DITHER;
+        f.config.band_rows = 1;
+        frame_case_open_for(&f, blob);
+        assert_int_equal(glint_frame_begin(&f.frame, blob, 0), 0);
+        assert_int_equal(glint_frame_band(&f.frame, (unsigned)y, f.config.band[0], &band), 1);
+        int drawn = 0;
+        for (int x = 0; x < SIZE; x++) {
+            const struct cover_point at = cover_centre(x, y, SIZE, SIZE);
+            const double share = cover_turn(p[1], p[2], at) / (double)cover_turn(p[1], p[2], p[0]);
+            if (share < 0 || cover_turn(p[0], p[1], at) < 0 || cover_turn(p[2], p[0], at) < 0)
+                continue;
+            drawn++;
+            const double light = 31 * share * (NEAR - FAR) / 16 / THICK;
+            assert_true(fabs((((const uint16_t *)band.pixels)[x] >> 11) - light) < 1.01);
+        }
+        assert_true(drawn > 100);
+        frame_case_guards(&f);
+        frame_case_close(&f);
+        free(blob);
     }
-    assert_true(drawn > 100);
-    frame_case_guards(&f);
-    frame_case_close(&f);
-    free(blob);
 }
 
 int main(void)

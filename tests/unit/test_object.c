@@ -213,7 +213,8 @@ static void a_light_in_the_very_place_shines_along_z(void **state)
         int32_t place[3];
         point.shift = (int16_t)(i % 9);
         for (int k = 0; k < 3; k++) {
-            point.at[k] = random_between(-32768 << point.shift, 32767 << point.shift);
+            point.at[k] =
+                random_between(-32768, 32767) * (1 << point.shift) + random_between(0, (1 << point.shift) - 1);
             place[k] = point.at[k] * (1 << (8 - point.shift));
         }
         object_towards(&point, place, out);

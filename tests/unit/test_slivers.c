@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows and pixels at the ends of what numbers hold: slivers from a table, and normals quadratic along rows. */
+/* Rows and pixels at the ends of what numbers hold: slivers from a table, and
+ * normals quadratic along rows. */
 #include "raster/raster.h"
 
 #include <setjmp.h>
@@ -16,7 +17,8 @@ static struct scene_case c;
 static struct scene_vertex vertex[6];
 static struct scene_triangle triangle[2];
 
-/* Triangles of corners in sub-pixels, y down, clockwise; `lean`: of the normals to the right. */
+/* Triangles of corners in sub-pixels, y down, clockwise; `lean`: of the normals
+ * to the right. */
 static void begin(unsigned width, unsigned height, const int corner[][2], const double lean[], unsigned count)
 {
     scene_case_sub_pixels(&c, (uint16_t)width, (uint16_t)height);
@@ -69,8 +71,9 @@ static void a_sliver_behind_another_shows_where_that_is_not(void **state)
 }
 
 /*
- * In row 980 the right edge crosses 2^14 sub-pixels from the left one and 1/29263 more, at the centre of pixel 1024:
- * that belongs to the triangle, but the crossing is found 2^-8 to its left.
+ * In row 980 the right edge crosses 2^14 sub-pixels from the left one and
+ * 1/29263 more, at the centre of pixel 1024: that belongs to the triangle, but
+ * the crossing is found 2^-8 to its left.
  */
 static void the_last_pixel_of_the_longest_row_has_the_right_edges_normal(void **state)
 {
@@ -97,11 +100,36 @@ static void the_last_pixel_of_the_longest_row_has_the_right_edges_normal(void **
     free(blob);
 }
 
-/* A wall of eight position units of which a picture shows a hundredth: a row's ends are one place in whole units. */
+/* Twice its area is a sub-pixel squared: at the third corner, a pixel's centre, it is 1/29263 sub-pixel wide. */
+static void a_row_of_hardly_any_width_has_the_normal_of_its_corner(void **state)
+{
+    enum { SIZE = 2048, LEFT = -16376, TOP = -16379, ROW = 980, COLUMN = 1024 };
+    static const int corner[3][2] = {{LEFT, TOP}, {LEFT + 30571, TOP + 29263}, {LEFT + 16384, TOP + 15683}};
+    static const double lean[3] = {.9, .9, 0};
+    (void)state;
+    begin(SIZE, SIZE, corner, lean, 1);
+    struct frame_case f = frame_case_small(SIZE, SIZE, GLINT_GREY8);
+    struct scene_header *blob = scene_case_blob(&c);
+    struct glint_band band;
+    f.config.method = &glint_overveld_scan;
+    f.config.band_rows = 1;
+    frame_case_open_for(&f, blob);
+    assert_int_equal(glint_frame_begin(&f.frame, blob, 0), 0);
+    assert_int_equal(glint_frame_band(&f.frame, ROW, f.config.band[0], &band), 1);
+    for (int x = 0; x < SIZE; x++)
+        assert_in_range(((const uint8_t *)band.pixels)[x], x == COLUMN ? 254 : 0, x == COLUMN ? 255 : 0);
+    frame_case_close(&f);
+    free(blob);
+}
+
+/* A wall of eight position units of which a picture shows a hundredth: a row's
+ * ends are one place in whole units. Its left edge is 500 pixels from the
+ * middle, so that rows of the pieces between it and the guard band pass the
+ * picture. */
 static void a_row_whose_ends_are_one_place_does_not_bend(void **state)
 {
-    enum { SIZE = 64, GAP = 64 }; /* GAP: a position unit */
-    static const int16_t corner[3][3] = {{-4, -4, 0}, {4, -4, 0}, {0, 6, 0}};
+    enum { SIZE = 64, UNIT = 64 }; /* UNIT: a position unit */
+    static const int16_t corner[3][3] = {{0, -4, 0}, {8, 0, 0}, {0, 5, 0}};
     (void)state;
     scene_case_default(&c, SIZE, SIZE);
     for (int k = 0; k < 3; k++) {
@@ -113,7 +141,8 @@ static void a_row_whose_ends_are_one_place_does_not_bend(void **state)
     scene_case_bend(&triangle[0], vertex);
     c.material[0].kd = 32768;
     c.object[0].scale = 128 * CASE_UNIT;
-    c.object[0].position[0] = c.object[0].position[1] = -GAP / 2 * CASE_UNIT;
+    c.object[0].position[0] = -500 * CASE_UNIT / SIZE;
+    c.object[0].position[1] = -UNIT / 2 * CASE_UNIT;
     c.object[0].position[2] = -CASE_UNIT;
     c.mesh[0] = (struct scene_case_mesh){{.extent = (1 << 30) - 1, .radius = 1859775391}, vertex, triangle, 3, 1};
     struct frame_case f = frame_case_small(SIZE, SIZE, GLINT_GREY8);
@@ -135,6 +164,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_sliver_behind_another_shows_where_that_is_not),
         cmocka_unit_test(the_last_pixel_of_the_longest_row_has_the_right_edges_normal),
+        cmocka_unit_test(a_row_of_hardly_any_width_has_the_normal_of_its_corner),
         cmocka_unit_test(a_row_whose_ends_are_one_place_does_not_bend),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
