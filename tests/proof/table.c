@@ -5,15 +5,15 @@
  *   proves: made_for diffuse_of make_colours make_highlights make table_bytes table_at table_clear table_find
  *           table_error
  *   assumes: fx_power
- *   options: -eva-precision 0 -eva-slevel 0 -eva-min-loop-unroll 130
+ *   lemmas: table
+ *   options: -eva-precision 0 -eva-slevel 50 -eva-min-loop-unroll 3
  */
 #include "proof.h"
 
 #include "fixed/fixed.h"
 
 /*@ requires \valid_read(table);
-    assigns \result \from *table, s;
-    ensures \result <= 32768; */
+    assigns \result \from *table, s; */
 static inline uint32_t fx_power(const struct fx_power *table, q30_t s);
 
 #include "firmware/raster/table.c"

@@ -25,6 +25,7 @@ planted "a corner more than there is room for" clip firmware/geometry/clip.c 's/
 planted "a coefficient of more bits" placed firmware/geometry/transform.c 's/bits(fx_u64(largest_z)) - 24)/bits(fx_u64(largest_z)) - 44)/'
 planted "an extent beyond its radius, in the lemma too" placed tests/proof/placed.smt2 's/(<= 0 whole (\* 8388608 R))/(<= 0 whole (* 8388608 1048576 R))/'
 planted "keys of one time, in the lemma too" motion tests/proof/motion.smt2 's/(< time b)/(<= time b)/'
+planted "a row more than the table has, in the lemma too" table tests/proof/table.smt2 's/(<= 0 j 127)/(<= 0 j 128)/'
 planted "a turn too many" uv firmware/shade/uv.c 's/value\[k\] \*= 1 << 16;/value[k] *= 1 << 17;/'
 planted "a place farther than the farthest, in the lemma too" light tests/proof/light.smt2 's/(<= most farthest)/(<= most (* 8 farthest))/'
 [ -z "${ALL-}" ] || planted "a unit vector of 16 bits" unit firmware/geometry/object.c 's/fx_clz(largest)) - 17;/fx_clz(largest)) - 16;/'
