@@ -161,11 +161,10 @@ uint32_t split_draw(struct raster *r, struct edges *e, runs_shade *shade)
         if (shows(r, place)) {
             const int bad = errs(r, &piece);
             more = bad && depth < SPLIT_DEPTH && part_height(place) >= LEAST_HEIGHT;
-            if (!more && fine_setup(e, place, r->width, r->height, r->y0, r->y1)) {
+            if (!more) {
                 set_part(r, &piece, bad);
-                do
+                for (int32_t row = r->y0; fine_setup(e, place, r->width, r->height, row, r->y1); row = e->last)
                     drawn += effects_draw(r, e, shade);
-                while (fine_setup(e, place, r->width, r->height, e->last, r->y1));
             }
         }
         if (more) {
