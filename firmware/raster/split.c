@@ -25,10 +25,10 @@ static void find_corners(const struct uv_corners *whole, const struct piece *pie
         /* shares in Q30; the last is the rest, so that what is the same at all corners stays so */
         const int32_t p = fx_s32(fx_mulhi_u32(wa << up, inverse) >> 1);
         const int32_t q = fx_s32(fx_mulhi_u32(wb << up, inverse) >> 1);
-        for (int axis = 0; axis < 2; axis++) { /* differences of Q28 below 2^32, products below 2^63 */
+        for (int axis = 0; axis < 2; axis++) { /* differences of Q28 below 2^32, p + q <= 2^30: rounded down once */
             const int64_t rest = whole->value[axis][2];
-            out->value[axis][k] = fx_s32(rest + (((whole->value[axis][0] - rest) * p) >> 30) +
-                                         (((whole->value[axis][1] - rest) * q) >> 30));
+            out->value[axis][k] =
+                fx_s32(rest + (((whole->value[axis][0] - rest) * p + (whole->value[axis][1] - rest) * q) >> 30));
         }
         out->s[k] = fx_u16(sum >> 15);
     }

@@ -33,7 +33,8 @@ int32_t part_height(const struct part_place p[3]);
 /*
  * Colour channels over the part of three corners, linear, with the set-up's own origin. `fine`: Q24 steps, for loops
  * that trust corner values to bound it; else Q22, to be clamped. Returns 0, and leaves them, if asked for `fine` where
- * the part's shape or its rounding do not allow it.
+ * the part's shape or its rounding do not allow it. Here and below, a part is a sub-pixel wide or high at least, as all
+ * are that keep an edge of the triangle or half of one that is not short.
  */
 int part_linear(struct shade_setup *setup, const struct shade_input *in, const struct part_corner *const corner[3],
                 int fine);

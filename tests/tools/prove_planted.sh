@@ -22,6 +22,7 @@ mkdir -p "$folder"
 planted "a shift too far" plane firmware/shade/plane.c 's/(y2 \* y2) << 3/(y2 * y2) << 4/'
 planted "a clamp that lets more through" clip firmware/geometry/clip.c 's/down > 18/down > 22/'
 planted "a corner more than there is room for" clip firmware/geometry/clip.c 's/(db < 0) \&\& to->count < CLIP/(db < 0) \&\& to->count <= CLIP/'
+planted "a cut without a length, in the lemma too" clip tests/proof/clip.smt2 's/(< d1 0)/(<= d1 0)/'
 [ -z "${ALL-}" ] || planted "a texture's mask one too large" texture firmware/raster/texture.c 's/(1u << t->log2_height) - 1/(1u << t->log2_height)/'
 planted "an index one too far" power firmware/fixed/power.c 's/value\[FX_POWER_STEPS + 1\]/value[FX_POWER_STEPS + 2]/'
 planted "a message given before its last byte" parser host-tools/view/parser.c 's/if (count < p->need)/if (count + 1 < p->need)/'
@@ -51,4 +52,9 @@ planted "a turn a row late, in the lemma too" edges tests/proof/edges.smt2 's/(<
 planted "a bulge without its limit" dots firmware/shade/dots.c 's/bulge < -INT32_MAX ? -INT32_MAX/bulge < INT32_MIN ? INT32_MIN/'
 planted "a place's weight too wide" part firmware/shade/part.c 's/rest_x \* (1 << 13)/rest_x * (1 << 18)/'
 [ -z "${ALL-}" ] || planted "a light too many" surface firmware/shade/surface.c 's/i < scene->light_count/i <= scene->light_count/'
+[ -z "${ALL-}" ] || planted "a shift of another scale" plane_setup firmware/shade/plane.c 's/up - scale - 14/up - scale - 13/'
+[ -z "${ALL-}" ] || planted "a corner outside the box" plane_setup tests/proof/plane_setup.smt2 's/(<= 0 v 32768)/(<= 0 v 32769)/'
+planted "a remainder that is none" divmod tests/proof/divmod_narrow.smt2 's/(- den 1 r) r)/(- den r) r)/'
+planted "a pixel's place twice as far" exact firmware/shade/plane_wide.c 's/(x - plane->ox) \* 16/(x - plane->ox) * 32/'
+planted "weights of more than 1" exact tests/proof/exact.smt2 's/(- 65536 u) most_v/(- 65537 u) most_v/'
 exit $status
