@@ -28,9 +28,10 @@ static int64_t inside(const struct transform *t, const struct eye_point *e, int 
     return plane & 1 ? reach + value : reach - value; /* LEFT and TOP are odd */
 }
 
+/* Rounded to nearest; between a and b, as t is in 0..1. */
 static int32_t mix(int32_t a, int32_t b, uint32_t t_q31)
 {
-    return fx_s32(a + ((fx_s64(b) - a) * fx_s64(t_q31) + (1 << 30)) / (INT64_C(1) << 31));
+    return fx_s32(a + (((fx_s64(b) - a) * fx_s64(t_q31) + (1 << 30)) >> 31));
 }
 
 /* The cut from a corner inside to one outside: t = d0 / (d0 - d1) in Q31. */

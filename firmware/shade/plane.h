@@ -21,7 +21,7 @@ struct polynomial {
 /* The triangle's place on the screen, common to its channels. */
 struct plane {
     int32_t whole_x1, whole_y1, whole_x2, whole_y2; /* corners 1 and 2 from corner 0, sub-pixels, at most 2^15 */
-    int32_t x1, y1, x2, y2;                         /* the same times 2^scale: the largest in [2^13, 2^14) */
+    int32_t x1, y1, x2, y2;                         /* the same times 2^scale: of scale >= 0 below 2^14 */
     int32_t scale;                                  /* -2..13; where negative, low bits are lost */
     uint32_t det;                                   /* whole_x1 whole_y2 - whole_x2 whole_y1, in (0, 2^30] */
     int32_t up;                                     /* its leading zero bits */

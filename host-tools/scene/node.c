@@ -17,6 +17,26 @@ static json_t *parse(FILE *file, json_error_t *error)
     return json_loadf(file, JSON_REJECT_DUPLICATES, error);
 }
 
+/* Names come back in messages: to a terminal, and a line each. */
+static bool is_legible(const char *text)
+{
+    while ((unsigned char)*text >= ' ' && *text != 0x7f)
+        text++;
+    return !*text;
+}
+
+/* All strings and keys; nested as deep as jansson lets them, 2048. */
+static bool are_legible(json_t *value)
+{
+    bool good = !json_is_string(value) || is_legible(json_string_value(value));
+    const char *key;
+    json_t *element;
+    size_t i;
+    json_object_foreach(value, key, element) good = good && is_legible(key) && are_legible(element);
+    json_array_foreach(value, i, element) good = good && are_legible(element);
+    return good;
+}
+
 int node_open(struct node_file *file, const char *path, struct node *root)
 {
     json_error_t error;
@@ -31,6 +51,9 @@ int node_open(struct node_file *file, const char *path, struct node *root)
         for (char *at = error.text; *at; at++) /* it quotes the file, which may not be text */
             *at = (unsigned char)*at < ' ' ? '?' : *at;
         fprintf(stderr, "%s:%d: %s\n", path, error.line > 0 ? error.line : 1, error.text);
+    } else if (!are_legible(file->root)) {
+        fprintf(stderr, "%s: a name or text has a control character\n", path);
+        node_close(file);
     }
     if (stream)
         fclose(stream);

@@ -19,6 +19,17 @@
     ensures below: num < 0 ==> num <= *quotient <= -1; */
 static inline void fx_divmod_floor(int32_t num, int32_t den, int32_t *quotient, int32_t *remainder);
 
+/*@ requires numerator: -0x40080000 <= num <= 0x40080000;
+    requires divisor: 1 <= den <= 0x40000000;
+    requires apart: \valid(quotient) && \valid(remainder) && \separated(quotient, remainder);
+    assigns *quotient, *remainder \from num, den;
+    ensures set: \initialized(quotient) && \initialized(remainder);
+    ensures floor: *quotient * den + *remainder == num;
+    ensures rest: 0 <= *remainder < den;
+    ensures above: num >= 0 ==> 0 <= *quotient <= num;
+    ensures below: num < 0 ==> num <= *quotient <= -1; */
+static inline void fx_divmod_floor_narrow(int32_t num, int32_t den, int32_t *quotient, int32_t *remainder);
+
 /*@ requires ends: -0x8000 <= x <= 0x8000 && -0x8000 <= x + dx <= 0x8000;
     requires across: -0x8000 <= dx <= 0x8000;
     requires falls: 1 <= dy <= 0x8000;

@@ -14,7 +14,7 @@
 
 #include "firmware/shade/plane.c"
 
-/* In place of the exact way, which is not proven: any values. */
+/* In place of the exact way (exact.c): any values. */
 void plane_exact_values(const struct plane *plane, const struct channel *channel, int x, int y, int n, int32_t *out)
 {
     for (int i = 0; i < n; i++)

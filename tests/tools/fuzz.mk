@@ -5,8 +5,10 @@ FUZZ_CORPUS := tests/fuzz/corpus
 # Whose lines the corpus reaches, all of them.
 FUZZ_SRC := host-tools/view/parser.c host-tools/view/frames.c host-tools/view/unpack.c firmware/stream/pack.c \
 	firmware/stream/receive.c firmware/app/remote.c
-# Of what reads files, as far as that is so.
-FUZZ_FILE_SRC := host-tools/scene/node.c firmware/scene/scene_effects.c boards/linux/values.c
+# Of what reads files, but for those in tests/fuzz/lines.txt.
+FUZZ_FILE_SRC := $(filter host-tools/scene/reader%,$(HOST_SRC)) \
+	$(addprefix host-tools/,scene/node.c scene/picture.c scene/relief.c import/importer.c import/patch.c import/shape.c compare/image.c) \
+	$(addprefix firmware/scene/,scene_check.c scene_effects.c texel.c) boards/linux/values.c
 FUZZ_LIB := $(BUILD)/fuzz/libfuzz.a
 FUZZ_SCENES := mini clip
 FUZZ_SCENE_C := $(SCENE_DIR)/fuzz_list.c $(FUZZ_SCENES:%=$(SCENE_DIR)/%.c)
@@ -32,6 +34,7 @@ FUZZ_MUTATE_fuzz_scene := mutate_scene.c
 FUZZ_MUTATE_fuzz_json := mutate_json.c
 FUZZ_MUTATE_fuzz_picture := mutate_picture.c
 FUZZ_FLAGS_fuzz_view := -Wl,--wrap=malloc -Wl,--wrap=realloc
+FUZZ_FLAGS_fuzz_json := -Wl,--wrap=import_file
 FUZZ_FLAGS_fuzz_mesh := -Wl,--wrap=aiImportFileExWithProperties -Wl,--wrap=freopen
 # Those that read files as the tools do, with all that belongs to it.
 FUZZ_FILES := fuzz_json fuzz_mesh fuzz_picture fuzz_settings
