@@ -26,8 +26,8 @@ struct log {
 static char *make_legible(char *text)
 {
     text[strcspn(text, "\r\n")] = 0;
-    for (char *at = text; *at; at++)
-        *at = (unsigned char)*at < ' ' || *at == 0x7f ? '?' : *at;
+    for (unsigned char *at = (unsigned char *)text; *at; at++)
+        *at = *at < ' ' || *at == 0x7f || (at[0] == 0xc2 && at[1] < 0xa0) ? '?' : *at; /* C1 in UTF-8, too */
     return text;
 }
 

@@ -17,12 +17,13 @@ static json_t *parse(FILE *file, json_error_t *error)
     return json_loadf(file, JSON_REJECT_DUPLICATES, error);
 }
 
-/* Names come back in messages: to a terminal, and a line each. */
+/* Names come back in messages: to a terminal, and a line each. What that would obey is U+0080 to U+009F as well. */
 static bool is_legible(const char *text)
 {
-    while ((unsigned char)*text >= ' ' && *text != 0x7f)
-        text++;
-    return !*text;
+    const unsigned char *at = (const unsigned char *)text;
+    while (*at >= ' ' && *at != 0x7f && !(at[0] == 0xc2 && at[1] < 0xa0))
+        at++;
+    return !*at;
 }
 
 /* All strings and keys; nested as deep as jansson lets them, 2048. */

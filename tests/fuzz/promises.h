@@ -216,7 +216,7 @@ static inline const char *promises_vertices(struct promises *p, const struct sce
         PROMISE_ALL(promises_normal(p, t[i].tangent));
         PROMISE(fabs(promises_dot(t[i].tangent, v[i].normal)) <= ldexp(1, -11));
     }
-    PROMISE(ceil((floor(furthest) + 1) * m->extent / 32768) <= m->radius); /* whole units, one more, rounded up */
+    PROMISE((floor(furthest) + 1) * m->extent / 32768 <= m->radius); /* whole units, and one more */
     return NULL;
 }
 

@@ -64,6 +64,15 @@ fuzz-lines: $(FUZZ_BIN)
 	@find $(BUILD) -name '*.gcda' -delete
 	@$(MAKE) fuzz-replay >/dev/null && tests/fuzz/lines.sh tests/fuzz/lines.txt $(BUILD)/obj $(FUZZ_SRC) $(FUZZ_FILE_SRC)
 
+# Under the sanitizers of suite-sanitize, whose objects these are too.
+FUZZ_PLANTED := $(filter-out fuzz_pack fuzz_receive fuzz_remote fuzz_unpack fuzz_view,$(FUZZ_TARGETS))
+fuzz-planted-run: $(FUZZ_SCENE_C)
+	+@$(FAULTS_SANITIZED) fuzz-planted-sanitized
+fuzz-planted-sanitized: $(FUZZ_PLANTED:%=$(BUILD)/fuzz/%)
+	@COMPILE="$(CC) $(HOST_FLAGS) $(PACKAGE_FLAGS) -Itests $(OPT) -g -w $(CFLAGS)" \
+		$(foreach t,$(FUZZ_PLANTED),FLAGS_$(t)="$(FUZZ_FLAGS_$(t))" PART_$(t)="$(FUZZ_PART_$(t))") \
+		tests/fuzz/planted.sh $(BUILD)/fuzz/planted $(HOST_LIB) $(CORE_LIB) $(PACKAGE_LIBS) -lz -lm
+
 suite-fuzz: $(FUZZ_SCENE_C)
 	@status=0; $(MAKE) fuzz-replay || status=1; \
 	$(MAKE) BUILD=$(BUILD)/lines CC=gcc OPT=-O0 CFLAGS=--coverage fuzz-lines || status=1; exit $$status
@@ -72,4 +81,4 @@ suite-fuzz: $(FUZZ_SCENE_C)
 suite-sanitize: $(FUZZ_SCENE_C)
 suite-sanitized: $(FUZZ_BIN)
 
-.PHONY: fuzz-search fuzz-run fuzz-replay fuzz-lines suite-fuzz
+.PHONY: fuzz-planted-run fuzz-planted-sanitized fuzz-search fuzz-run fuzz-replay fuzz-lines suite-fuzz
