@@ -57,3 +57,13 @@
 (assert (not (and (< (* part one) 18446744073709551616) (<= t one))))
 (check-sat)
 (pop)
+
+; A cut at the near plane, from z = d0 above it to z = d0 - span, lies not before it; one at the far plane not behind it:
+; the span has no more than 32 bits, so that nothing is halved.
+(push)
+(declare-const t Int)
+(define-fun steps () Int (* t span))
+(assert (and (<= 0 t) (<= steps (* part one)) (< (* part one) (+ steps span))))
+(assert (not (and (<= 0 (+ part (div (+ (- steps) 1073741824) one))) (<= (div (+ steps 1073741824) one) part))))
+(check-sat)
+(pop)
