@@ -88,13 +88,13 @@ FX_COLD static void store_piece(struct glint_frame *f, const struct clip_polygon
         uint16_t rest = 1u << 15; /* the three sum to 1 */
         for (int i = 0; i < 3; i++) {
             q30_t w = polygon->corner[corners[c]].weight[i];
-            uint16_t rounded = fx_u16(w < 0 ? 0 : (w + (1 << 14)) >> 15);
+            uint16_t rounded = fx_u16((w + (1 << 14)) >> 15);
             piece->place[c][i] = place[corners[c]][i];
             rounded = rounded > rest ? rest : rounded;
             rest = fx_u16(rest - rounded);
             if (i < 2) {
                 const q30_t left =
-                    (w - (fx_s32(rounded) << 15)) >> 7; /* |w - rounded| <= 2^14 and what exceeds 0 to 1 */
+                    (w - (fx_s32(rounded) << 15)) >> 7; /* |w - rounded| <= 2^14 and what exceeds 1 in sum */
                 piece->weight[c][i] = rounded;
                 piece->finer[c][i] = fx_s8(left < -128 ? -128 : left > 127 ? 127 : left);
             }

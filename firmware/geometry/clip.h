@@ -15,7 +15,9 @@
 
 struct clip_corner {
     struct eye_point eye;
-    q30_t weight[3]; /* barycentric, of the original corners; sums to 1 within 2^-27 */
+    /* Barycentric, of the original corners, 0..1. They sum to 1 within 2^-27: a cut of an edge of the triangle's own
+     * errs by 1 at most, one by each further plane by 3/2 more, which is 8. */
+    q30_t weight[3];
 };
 
 struct clip_polygon {

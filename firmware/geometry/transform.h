@@ -3,8 +3,9 @@
  * From a mesh's int16 positions to the screen, in 32-bit products only.
  *
  * An object's transform is kept in block floating point: x and y rows already multiplied by the focal length and by 16
- * (sub-pixels), z measured forward from the eye; each fits |value| < 2^29 with the exponent chosen for the object, so
- * that a vertex is placed to a small fraction of a sub-pixel however large or far the object is.
+ * (sub-pixels), z measured forward from the eye; each fits |value| < 2^29 with the exponent chosen for the object, or
+ * 2^29 + 2^13 as rotations may be a little too long, so that a vertex is placed to a small fraction of a sub-pixel
+ * however large or far the object is.
  */
 #ifndef GLINT_TRANSFORM_H
 #define GLINT_TRANSFORM_H

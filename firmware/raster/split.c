@@ -25,17 +25,17 @@ static void find_corners(const struct uv_corners *whole, const struct piece *pie
         /* shares in Q30; the last is the rest, so that what is the same at all corners stays so */
         const int32_t p = fx_s32(fx_mulhi_u32(wa << up, inverse) >> 1);
         const int32_t q = fx_s32(fx_mulhi_u32(wb << up, inverse) >> 1);
-        for (int axis = 0; axis < 2; axis++) { /* differences of Q28 below 2^32, products below 2^63 */
+        for (int axis = 0; axis < 2; axis++) { /* differences of Q28 below 2^32, p + q <= 2^30: rounded down once */
             const int64_t rest = whole->value[axis][2];
-            out->value[axis][k] = fx_s32(rest + (((whole->value[axis][0] - rest) * p) >> 30) +
-                                         (((whole->value[axis][1] - rest) * q) >> 30));
+            out->value[axis][k] =
+                fx_s32(rest + (((whole->value[axis][0] - rest) * p + (whole->value[axis][1] - rest) * q) >> 30));
         }
         out->s[k] = fx_u16(sum >> 15);
     }
 }
 
-/* What a channel over a part is made of: values from corner 0's on, in Q14 of 2^14 at most, and bulges in Q28, which of
- * differences up to 2^13 are at most 2^28; both times 2^up. */
+/* What a channel over a part is made of: values from corner 0's on, in Q14 of 2^13 at most, and bulges in Q28, which of
+ * differences up to 2^13 are at most 2^28; of the edge 1-2, with twice the difference, 2^29; both times 2^up. */
 struct terms {
     int32_t value[3], bulge[3];
     int up;
@@ -161,11 +161,10 @@ uint32_t split_draw(struct raster *r, struct edges *e, runs_shade *shade)
         if (shows(r, place)) {
             const int bad = errs(r, &piece);
             more = bad && depth < SPLIT_DEPTH && part_height(place) >= LEAST_HEIGHT;
-            if (!more && fine_setup(e, place, r->width, r->height, r->y0, r->y1)) {
+            if (!more) {
                 set_part(r, &piece, bad);
-                do
+                for (int32_t row = r->y0; fine_setup(e, place, r->width, r->height, row, r->y1); row = e->last)
                     drawn += effects_draw(r, e, shade);
-                while (fine_setup(e, place, r->width, r->height, e->last, r->y1));
             }
         }
         if (more) {

@@ -135,9 +135,10 @@ static enum scene_fault check_vertices(const struct scene_header *s, const struc
         if (!square_ok(length))
             return SCENE_E_RANGE;
     }
-    /* root < 2^16 and extent < 2^30 */
-    return ((uint64_t)(fx_root(furthest) + 1) * (uint32_t)mesh->extent) >> 15 <= (uint32_t)mesh->radius ? SCENE_OK
-                                                                                                        : SCENE_E_RANGE;
+    /* root < 2^16 and extent < 2^30; rounded up, as a mesh may be a few steps of a radius large */
+    return ((uint64_t)(fx_root(furthest) + 1) * (uint32_t)mesh->extent + 32767) >> 15 <= (uint32_t)mesh->radius
+               ? SCENE_OK
+               : SCENE_E_RANGE;
 }
 
 /* Shading's overflow bounds rest on bends that belong to their normals: within 2^-11 of (1 - Na.Nb) / 2, which is

@@ -33,15 +33,17 @@ int32_t part_height(const struct part_place p[3]);
 /*
  * Colour channels over the part of three corners, linear, with the set-up's own origin. `fine`: Q24 steps, for loops
  * that trust corner values to bound it; else Q22, to be clamped. Returns 0, and leaves them, if asked for `fine` where
- * the part's shape or its rounding do not allow it.
+ * the part's shape or its rounding do not allow it. Here and below, a part is a sub-pixel wide or high at least, as all
+ * are that keep an edge of the triangle or half of one that is not short.
  */
 int part_linear(struct shade_setup *setup, const struct shade_input *in, const struct part_corner *const corner[3],
                 int fine);
 
 /*
  * A quadratic of any kind over the part of three corners: values in Q14 and bulges in Q28 as plane_quadratic() takes
- * them, the channel's times 2^up modulo 2^32 (up >= -8). Returns 0, and leaves it, where the part is lower than 2
- * pixels or too thin.
+ * them, that of the edge 1-2 to 2^29, as no height is below 2 pixels: second differences stay within 2^30. The
+ * channel's are times 2^up modulo 2^32 (up >= -8). Returns 0, and leaves it, where the part is lower than that or too
+ * thin.
  */
 int part_channel(const struct shade_setup *setup, const struct shade_input *in,
                  const struct part_corner *const corner[3], const int32_t value[3], const int32_t bulge[3], int up,

@@ -22,6 +22,15 @@ struct log {
     bool lost;
 };
 
+/* Of the file's words what a message holds: they go to a terminal, on a line. */
+static char *make_legible(char *text)
+{
+    text[strcspn(text, "\r\n")] = 0;
+    for (unsigned char *at = (unsigned char *)text; *at; at++)
+        *at = *at < ' ' || *at == 0x7f || (at[0] == 0xc2 && at[1] < 0xa0) ? '?' : *at; /* C1 in UTF-8, too */
+    return text;
+}
+
 static void hear(const char *line, char *user)
 {
     static const char *const lost[] = {"Ignoring empty face", "faces were dropped", "the TRIANGLES mode"};
@@ -34,7 +43,8 @@ static void hear(const char *line, char *user)
             log->first[0] = 0;
         }
     if (!log->first[0] && (log->lost || !strncmp(line, "Error", 5)))
-        snprintf(log->first, log->size, "%.*s", (int)strcspn(text, "\r\n"), text);
+        snprintf(log->first, log->size, "%s", text);
+    make_legible(log->first);
 }
 
 static bool get_colour(const struct aiMaterial *in, const char *key, double out[3])
@@ -93,7 +103,7 @@ static char *picture_of(const struct aiMaterial *in)
     for (int i = 0; i < 2; i++)
         if (aiGetMaterialTexture(in, types[i], 0, &path, NULL, NULL, NULL, NULL, NULL, NULL) == AI_SUCCESS &&
             path.length > 0)
-            return model_copy(path.data);
+            return make_legible(model_copy(path.data));
     return NULL;
 }
 
@@ -184,7 +194,7 @@ const char *importer_read(const char *path, struct model *model, size_t mesh, bo
     if (!scene) {
         const char *error = aiGetErrorString();
         snprintf(said, size, "%s", *error ? error : "cannot be read as a model");
-        return said;
+        return make_legible(said);
     }
     const char *reason = log.lost ? said : NULL;
     const size_t first_material = model->material_count;

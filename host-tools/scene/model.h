@@ -51,8 +51,9 @@ struct model_material {
 
 /* Colours, as read or made; packing brings it to powers of two. */
 struct model_texture {
-    char *name; /* a file's: its path */
-    int format; /* enum scene_texture_format */
+    char *name;
+    bool is_file; /* its name is a path, and all that name this file share it */
+    int format;   /* enum scene_texture_format */
     bool bilinear, clamp[2];
     unsigned width, height;
     uint8_t *rgb;         /* top row first */

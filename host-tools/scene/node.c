@@ -17,6 +17,27 @@ static json_t *parse(FILE *file, json_error_t *error)
     return json_loadf(file, JSON_REJECT_DUPLICATES, error);
 }
 
+/* Names come back in messages: to a terminal, and a line each. What that would obey is U+0080 to U+009F as well. */
+static bool is_legible(const char *text)
+{
+    const unsigned char *at = (const unsigned char *)text;
+    while (*at >= ' ' && *at != 0x7f && !(at[0] == 0xc2 && at[1] < 0xa0))
+        at++;
+    return !*at;
+}
+
+/* All strings and keys; nested as deep as jansson lets them, 2048. */
+static bool are_legible(json_t *value)
+{
+    bool good = !json_is_string(value) || is_legible(json_string_value(value));
+    const char *key;
+    json_t *element;
+    size_t i;
+    json_object_foreach(value, key, element) good = good && is_legible(key) && are_legible(element);
+    json_array_foreach(value, i, element) good = good && are_legible(element);
+    return good;
+}
+
 int node_open(struct node_file *file, const char *path, struct node *root)
 {
     json_error_t error;
@@ -31,6 +52,9 @@ int node_open(struct node_file *file, const char *path, struct node *root)
         for (char *at = error.text; *at; at++) /* it quotes the file, which may not be text */
             *at = (unsigned char)*at < ' ' ? '?' : *at;
         fprintf(stderr, "%s:%d: %s\n", path, error.line > 0 ? error.line : 1, error.text);
+    } else if (!are_legible(file->root)) {
+        fprintf(stderr, "%s: a name or text has a control character\n", path);
+        node_close(file);
     }
     if (stream)
         fclose(stream);

@@ -15,6 +15,7 @@
 static int add_picture(struct model *model, const char *name, const struct image *image)
 {
     struct model_texture *texture = model_add_texture(model, name);
+    texture->is_file = true;
     texture->format = TEXTURE_RGB565;
     texture->bilinear = true;
     texture->width = image->width;
@@ -23,10 +24,19 @@ static int add_picture(struct model *model, const char *name, const struct image
     return (int)model->texture_count - 1;
 }
 
+/* One whose name was given in the scene is another, whatever it is called. */
+static int find_file(const struct model *model, const char *path)
+{
+    for (size_t i = 0; i < model->texture_count; i++)
+        if (model->textures[i].is_file && !strcmp(model->textures[i].name, path))
+            return (int)i;
+    return -1;
+}
+
 int picture_load(struct model *model, const char *path, int *index)
 {
     struct image image;
-    *index = model_find_texture(model, path);
+    *index = find_file(model, path);
     if (*index >= 0)
         return 0;
     int code = import_check_readable(path);
@@ -35,6 +45,15 @@ int picture_load(struct model *model, const char *path, int *index)
     if (!code)
         *index = add_picture(model, path, &image);
     return code;
+}
+
+struct model_texture *picture_take(struct model *model, int index, const char *name)
+{
+    struct model_texture *texture = &model->textures[index];
+    free(texture->name);
+    texture->name = model_copy(name);
+    texture->is_file = false;
+    return texture;
 }
 
 static void drawn_without(const char *model_path)
@@ -64,7 +83,7 @@ void picture_inside(const char *model_path, const struct model_material *materia
     struct image image;
     char *name = model_alloc(strlen(model_path) + strlen(material->picture) + sizeof ": image ");
     sprintf(name, "%s: image %s", model_path, material->picture + 1);
-    *index = model_find_texture(model, name);
+    *index = find_file(model, name);
     if (*index < 0 && !material->inside)
         fprintf(stderr, "%s: warning: no texture: not a picture that is read\n", name);
     else if (*index < 0 && image_read_png_bytes(name, material->inside, material->inside_size, &image) == 0)

@@ -23,6 +23,9 @@ void picture_beside(const char *model_path, const char *name, struct model *mode
 /* The same for a picture that is inside the model. */
 void picture_inside(const char *model_path, const struct model_material *material, struct model *model, int *index);
 
+/* The file's texture becomes one of this name alone: whatever names the file next gets another. */
+struct model_texture *picture_take(struct model *model, int index, const char *name);
+
 /* Fills a texture of size[0] x size[1] texels with cells[0] x cells[1] of a pattern; it repeats. */
 void picture_make(struct model_texture *texture, enum picture_pattern pattern, const unsigned size[2],
                   const unsigned cells[2], double colour[2][3]);

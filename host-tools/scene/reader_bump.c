@@ -35,12 +35,7 @@ static struct model_texture *load(const struct node *node, const struct node *fi
     if (!node->file->failed && (*exit_code = picture_load(model, path, &index)) != 0)
         node->file->failed = true; /* picture_load() has said why */
     free(path);
-    if (index < 0)
-        return NULL;
-    struct model_texture *texture = &model->textures[index];
-    free(texture->name); /* its own from now on: another may take the same file otherwise */
-    texture->name = model_copy(name);
-    return texture;
+    return index < 0 ? NULL : picture_take(model, index, name);
 }
 
 static void read_bump(const struct node *node, const char *name, struct model *model, int *exit_code)

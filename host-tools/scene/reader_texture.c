@@ -81,9 +81,7 @@ static void read_texture(const struct node *node, const char *name, struct model
         const int index = node->file->failed ? -1 : load(node, path, model, exit_code);
         if (index < 0)
             return;
-        texture = &model->textures[index];
-        free(texture->name); /* its own from now on: another may take the same file otherwise */
-        texture->name = model_copy(name);
+        texture = picture_take(model, index, name);
     } else {
         texture = model_add_texture(model, name);
         make(node, texture);

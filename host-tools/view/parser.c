@@ -104,6 +104,9 @@ static size_t parser_look(struct parser *p, const uint8_t *at, size_t count)
 static void parser_run(struct parser *p, bool last)
 {
     size_t at = 0;
+    /*@ loop invariant at <= p->count && p->spare <= PARSER_SPARE_MOST;
+        loop assigns at, p->need, p->spare, p->damaged, p->other_version, p->messages, p->out_of_memory;
+        loop variant p->count - at; */
     while (at < p->count && !p->out_of_memory) {
         size_t step = parser_look(p, p->bytes + at, p->count - at);
         if (step == 0 && !last)
@@ -123,7 +126,7 @@ void parser_push(struct parser *p, const void *bytes, size_t size)
     if (size > p->room - p->count) {
         size_t room = 2 * (p->count + size);
         uint8_t *larger = realloc(p->bytes, room);
-        p->out_of_memory = !larger;
+        p->out_of_memory = larger == NULL;
         if (!larger)
             return;
         p->bytes = larger;

@@ -209,8 +209,8 @@ void window_words(struct window *w, const struct overlay_text text[OVERLAY_PLACE
     w->words = NULL;
 }
 
-/* The words, of which a pixel is `letter` of the window's. */
-static void window_write(struct window *w, unsigned width, unsigned height)
+/* The words, of which a pixel is `letter` of the window's. False, and without any, if SDL cannot. */
+static bool window_write(struct window *w, unsigned width, unsigned height)
 {
     struct overlay *o = &w->overlay;
     if (!w->words || o->width != width || o->height != height) {
@@ -220,12 +220,16 @@ static void window_write(struct window *w, unsigned width, unsigned height)
         *o = (struct overlay){calloc((size_t)width * height, sizeof *o->pixels), width, height};
         w->words = o->pixels ? window_texture(w, (int)width, (int)height) : NULL;
         if (!w->words)
-            return;
-        SDL_SetTextureBlendMode(w->words, SDL_BLENDMODE_BLEND);
+            return false;
         for (unsigned i = 0; i < OVERLAY_PLACES; i++)
             overlay_draw(o, (enum overlay_place)i, &w->text[i]);
-        SDL_UpdateTexture(w->words, NULL, o->pixels, (int)(width * sizeof *o->pixels));
+        if (SDL_SetTextureBlendMode(w->words, SDL_BLENDMODE_BLEND) != 0 ||
+            SDL_UpdateTexture(w->words, NULL, o->pixels, (int)(width * sizeof *o->pixels)) != 0) {
+            SDL_DestroyTexture(w->words);
+            w->words = NULL;
+        }
     }
+    return w->words;
 }
 
 /* How large a pixel of words is: two where they fit, larger in a window that is large either way. */
@@ -238,26 +242,25 @@ static unsigned window_letter(unsigned width, unsigned height)
     return letter ? letter : 1;
 }
 
-/* Without showing it. */
-static void window_paint(struct window *w, int *width, int *height)
+/* Without showing it; false if something is not there. */
+static bool window_paint(struct window *w, int *width, int *height)
 {
-    SDL_GetRendererOutputSize(w->renderer, width, height);
-    SDL_SetRenderDrawColor(w->renderer, 0, 0, 0, 255);
-    SDL_RenderClear(w->renderer);
+    if (SDL_GetRendererOutputSize(w->renderer, width, height) != 0)
+        return false;
+    bool good = SDL_SetRenderDrawColor(w->renderer, 0, 0, 0, 255) == 0 && SDL_RenderClear(w->renderer) == 0;
     if (w->picture) {
         int times = *width / w->width < *height / w->height ? *width / w->width : *height / w->height;
         times = times > 1 ? times : 1;
         const SDL_Rect place = {(*width - w->width * times) / 2, (*height - w->height * times) / 2, w->width * times,
                                 w->height * times};
         const uint8_t light = w->dim ? WINDOW_DIM : 255;
-        SDL_SetTextureColorMod(w->picture, light, light, light);
-        SDL_RenderCopy(w->renderer, w->picture, NULL, &place);
+        good = SDL_SetTextureColorMod(w->picture, light, light, light) == 0 &&
+               SDL_RenderCopy(w->renderer, w->picture, NULL, &place) == 0 && good;
     }
     unsigned wide = (unsigned)*width, high = (unsigned)*height, letter = window_letter(wide, high);
-    window_write(w, (wide + letter - 1) / letter, (high + letter - 1) / letter);
+    const bool written = window_write(w, (wide + letter - 1) / letter, (high + letter - 1) / letter);
     const SDL_Rect place = {0, 0, (int)(w->overlay.width * letter), (int)(w->overlay.height * letter)};
-    if (w->words)
-        SDL_RenderCopy(w->renderer, w->words, NULL, &place);
+    return written && SDL_RenderCopy(w->renderer, w->words, NULL, &place) == 0 && good;
 }
 
 void window_draw(struct window *w)
@@ -265,16 +268,18 @@ void window_draw(struct window *w)
     int width, height;
     if (!w->shown || (SDL_GetWindowFlags(w->window) & (SDL_WINDOW_HIDDEN | SDL_WINDOW_MINIMIZED)))
         return;
-    window_paint(w, &width, &height);
+    window_paint(w, &width, &height); /* of what is not there now, the next time */
     SDL_RenderPresent(w->renderer);
 }
 
 int window_save(struct window *w, const char *path)
 {
     int width, height;
-    window_paint(w, &width, &height);
+    if (!window_paint(w, &width, &height))
+        return window_problem(path, SDL_GetError());
     uint8_t *pixels = malloc((size_t)width * (size_t)height * 3);
-    if (!pixels || SDL_RenderReadPixels(w->renderer, NULL, SDL_PIXELFORMAT_RGB24, pixels, width * 3) != 0) {
+    if (!pixels ? SDL_OutOfMemory()
+                : SDL_RenderReadPixels(w->renderer, NULL, SDL_PIXELFORMAT_RGB24, pixels, width * 3)) {
         free(pixels);
         return window_problem(path, SDL_GetError());
     }

@@ -42,6 +42,10 @@ matches 'and all are told' "$top/err" "'cubic' will not do for --texture KIND: .
 fresh
 scene no.png
 refused 'a missing file is reported' 3 '^no\.png: No such file'
+scene m '"textures": {"no.png": {"pattern": "checker"}, "t": {"file": "no.png"}}'
+refused 'what is only called as a file is not the file' 3 '^no\.png: No such file'
+scene m '"bumps": {"no.png": {"relief": "waves"}, "b": {"heights": "no.png"}}'
+refused 'nor is a bump map' 3 '^no\.png: No such file'
 echo 'not a picture' >bad.png
 scene bad.png
 refused 'a file that is no PNG is refused' 1 '^bad\.png: not a PNG file$'

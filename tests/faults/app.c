@@ -1,14 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* The handheld's program between a display and the other end of a link or a line, of which one call or two fail. */
-#include "app/app.h"
-#include "clock.h"
-#include "cortexm/fault.h"
-#include "cortexm/machine.h"
-#include "cortexm/stack.h"
-#include "firmware/app/main.c"
-#include "input.h"
-#include "pack/pack.h"
-#include "serial.h"
 #include "view/frames.h"
 #include "view/port.h"
 
@@ -20,57 +11,24 @@
 
 #include <cmocka.h>
 
+#include "app_machine.h"
+
 #include "tests/faults/pairs.h"
 
 enum { WIDTH = 32, HEIGHT = 24, BAND_ROWS = 10, MEMORY = 64 * 1024, PICTURES = 4, MOST_CALLS = 1000 };
 enum { PICTURE = 2 * WIDTH * HEIGHT };
 
-static uint32_t blob[24 * 1024 / 4], blob_length, memory[MEMORY / 4], bands[2][WIDTH * BAND_ROWS / 2],
-    last[PICTURE / 4], now_us;
+static uint32_t memory[MEMORY / 4], bands[2][WIDTH * BAND_ROWS / 2], last[PICTURE / 4];
 const struct program_scene program_scenes[] = {{"tiny", blob, &blob_length}};
 const unsigned program_scene_count = 1;
 
 static struct seam seam;
 static unsigned told; /* errors of the display */
 
-/* --- what does not fail ----------------------------------------------------------------------------------------------
- */
-
-uint32_t input_buttons(void)
-{
-    return 0;
-}
-uint32_t clock_us(void)
-{
-    return now_us += 100;
-}
-void clock_wait_us(uint32_t us)
-{
-    now_us += us;
-}
-void clock_idle(void)
-{
-    now_us += 1000;
-}
 void machine_write(const char *text)
 {
     told += strcmp(text, "error display\n") == 0;
 }
-int fault_last(struct fault *fault)
-{
-    (void)fault;
-    return 0;
-}
-void fault_text(const struct fault *fault, char text[FAULT_TEXT])
-{
-    (void)fault;
-    text[0] = 0;
-}
-uint32_t stack_used(void)
-{
-    return 0;
-}
-void stack_check(void) {}
 
 /* --- a display that holds the program to display.h -------------------------------------------------------------------
  */
@@ -281,14 +239,8 @@ static void assert_well(int code)
 
 static int load(void **state)
 {
-    struct pack_result packed;
     (void)state;
-    if (pack_load("tests/scenes/tiny.json", NULL, &packed) != 0 || packed.size > sizeof blob)
-        return 1;
-    memcpy(blob, packed.scene, packed.size);
-    blob_length = (uint32_t)packed.size;
-    pack_free(&packed);
-    return 0;
+    return app_machine_load("tests/scenes/tiny.json");
 }
 
 static void calls_that_fail_are_told_and_the_next_picture_is_whole(void **state)

@@ -32,21 +32,23 @@ static bool run(const struct seam *seam)
     return good;
 }
 
-/* Either all bytes come, in their order, or there is one message and an end; and nothing is held. */
+/* Either all bytes come, in their order, or there is one message and an end; and nothing is held. What two looks in a
+ * row cannot do is told as well, and mended by the third. */
 static void two_calls_that_fail_are_told_or_mended(void **state)
 {
     (void)state;
+    unsigned told = 0;
     assert_true(run(&(struct seam){0}));
     struct pairs pairs = pairs_of(machine.seam.calls, pairs_most(500));
     case_end();
     for (struct seam next; pairs_next(&pairs, &next);) {
-        if (!run(&next))
-            assert_int_equal(case_lines("\n"), 1);
-        else
-            assert_string_equal(case_told, "");
+        const bool good = run(&next);
+        assert_in_range(case_lines("\n"), good ? 0 : 1, 1);
+        told += good && case_told[0];
         case_end();
     }
-    print_message("%u runs\n", pairs.tried);
+    assert_in_range(told, 0, 1 + pairs.tried / 500); /* one look alone is not told */
+    print_message("%u runs, of which %u told of both\n", pairs.tried, told);
 }
 
 int main(void)

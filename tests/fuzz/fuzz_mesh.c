@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * Model files: any bytes become a scene that passes the check and is drawn, or are refused with exit code 1 and the
- * reason. Input: a letter for the kind, then the file; after a zero byte in an .obj, its .mtl.
+ * reason. Input: a letter for the kind, then the file; after a zero byte in an .obj, its .mtl. The letter's upper half
+ * says in what way assimp's answer is spoilt: it checks its own, so that nothing else would ever try our checks.
  *
  * assimp itself crashes, loops or wants all memory over some bytes, which is why the tool has it in a process of its
  * own. Only while that process is inside assimp may it break down. What it got through within its limits is then read
@@ -13,6 +14,7 @@
 #include "import/normals.h"
 
 #include <assimp/cimport.h>
+#include <assimp/scene.h>
 #include <fcntl.h>
 #include <math.h>
 #include <signal.h>
@@ -33,6 +35,84 @@ const struct aiScene *__real_aiImportFileExWithProperties(const char *path, unsi
                                                           const struct aiPropertyStore *properties);
 const struct aiScene *__wrap_aiImportFileExWithProperties(const char *path, unsigned steps, struct aiFileIO *files,
                                                           const struct aiPropertyStore *properties);
+
+/* --- assimp's answer, as a faulty assimp might give it ---------------------------------------------------------------
+ */
+
+static unsigned spoilt; /* which of the next, from 1 */
+
+static void spoil_index(struct aiScene *scene, struct aiMesh *mesh)
+{
+    (void)scene;
+    mesh->mFaces[mesh->mNumFaces - 1].mIndices[2] = mesh->mNumVertices;
+}
+static void spoil_index_more(struct aiScene *scene, struct aiMesh *mesh)
+{
+    (void)scene;
+    mesh->mFaces[0].mIndices[0] = UINT32_MAX;
+}
+static void spoil_material(struct aiScene *scene, struct aiMesh *mesh)
+{
+    mesh->mMaterialIndex = scene->mNumMaterials;
+}
+static void spoil_vertex(struct aiScene *scene, struct aiMesh *mesh)
+{
+    (void)scene;
+    mesh->mVertices[mesh->mNumVertices - 1].y = NAN;
+}
+static void spoil_vertex_far(struct aiScene *scene, struct aiMesh *mesh)
+{
+    (void)scene;
+    mesh->mVertices[0].z = -1e15f;
+}
+static void spoil_normal(struct aiScene *scene, struct aiMesh *mesh)
+{
+    (void)scene;
+    if (mesh->mNormals)
+        mesh->mNormals[0].x = NAN;
+}
+static void spoil_uv(struct aiScene *scene, struct aiMesh *mesh)
+{
+    (void)scene;
+    if (mesh->mTextureCoords[0])
+        mesh->mTextureCoords[0][0].y = INFINITY;
+}
+static void spoil_tangent(struct aiScene *scene, struct aiMesh *mesh)
+{
+    (void)scene;
+    if (mesh->mTangents)
+        mesh->mTangents[0].x = NAN;
+}
+static void spoil_picture(struct aiScene *scene, struct aiMesh *mesh)
+{
+    (void)mesh;
+    if (scene->mNumTextures)
+        scene->mTextures[0]->mWidth = 0;
+}
+static void spoil_face(struct aiScene *scene, struct aiMesh *mesh)
+{
+    (void)scene;
+    mesh->mFaces[0].mNumIndices = 2;
+}
+
+static const struct {
+    void (*how)(struct aiScene *scene, struct aiMesh *last);
+    bool refused;
+} spoils[] = {{NULL, false},          {spoil_index, true},      {spoil_index_more, true}, {spoil_material, true},
+              {spoil_vertex, true},   {spoil_vertex_far, true}, {spoil_normal, false},    {spoil_uv, false},
+              {spoil_tangent, false}, {spoil_face, false},      {spoil_picture, false}};
+enum { SPOILS = sizeof spoils / sizeof *spoils };
+
+/* What assimp's own check let through: there is a mesh, with a face of three corners. */
+static void spoil(const struct aiScene *given)
+{
+    struct aiScene *scene = (struct aiScene *)(uintptr_t)given;
+    if (scene && scene->mNumMeshes && spoils[spoilt].how)
+        spoils[spoilt].how(scene, scene->mMeshes[scene->mNumMeshes - 1]);
+}
+
+/* --- assimp itself ---------------------------------------------------------------------------------------------------
+ */
 
 /* The fuzzer's clock, which would interrupt us while we wait for the importing process. */
 static const sigset_t *alarms(void)
@@ -75,6 +155,7 @@ const struct aiScene *__wrap_aiImportFileExWithProperties(const char *path, unsi
     const struct aiScene *scene = __real_aiImportFileExWithProperties(path, steps, files, properties);
     shared->inside = false;
     shared->got = scene != NULL;
+    spoil(scene);
     if (__lsan_enable)
         __lsan_enable();
     if (apart) {
@@ -137,9 +218,10 @@ static void try(const char *path)
         strstr(load.told, ": malformed: the importer ") || strstr(load.told, ": too large: the importer ");
     judge(&load, path);
     FUZZ_CHECK(broke == shared->inside);
+    FUZZ_CHECK(!(shared->got && spoils[spoilt].refused) || load.code == 1);
     if (load.code == 0)
         load_draw(&load);
-    if (shared->got)
+    if (!broke)
         read_again(path);
     load_free(&load);
 }
@@ -155,6 +237,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     own = getpid();
     if (size == 0)
         return 0;
+    spoilt = data[0] < 128 ? 0 : (data[0] - 128u) / 5 % SPOILS;
     const char *name = names[data++[0] % 5];
     const uint8_t *end = data + size - 1, *split = strcmp(name, "a.obj") ? NULL : memchr(data, 0, size - 1);
     int file = load_file(name, data, (size_t)((split ? split : end) - data), path);

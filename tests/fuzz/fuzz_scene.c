@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Scene blobs: what passes the check is drawn by every method, in every format and in bands of any height, without harm
- * and without a difference; nothing beside the blob is read. Input: a blob, which bytes may follow. */
+/* Scene blobs: what passes the check keeps all that scene.h promises, and what keeps it passes; it is drawn by every
+ * method, in every format and in bands of any height, without harm and without a difference; nothing beside the blob is
+ * read. Input: a blob, which bytes may follow. */
 #include "fuzz/fuzz.h"
+#include "fuzz/promises.h"
 #include "glint.h"
-#include "scene/scene.h"
 
 enum { WIDTH = 20, HEIGHT = 14 };
 
@@ -57,13 +58,26 @@ static void draw_all(const struct scene_header *scene, uint32_t dice)
     }
 }
 
+static void judge(const uint8_t *blob, size_t size, enum scene_fault fault)
+{
+    struct promises promises = {.scene = (const struct scene_header *)(const void *)blob, .size = size};
+    const char *broken = promises_broken(&promises);
+    if (broken ? fault == SCENE_OK : fault != SCENE_OK && !promises.edge) {
+        fprintf(stderr, "broken: fault %d, but %s\n", fault, broken ? broken : "all promises are kept");
+        abort();
+    }
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     uint8_t *blob = fuzz_block(size); /* aligned for anything */
+    *blob = 0;
     if (size)
         memcpy(blob, data, size);
     const enum scene_fault fault = scene_check(blob, size);
     FUZZ_CHECK(scene_fault_text(fault)[0]);
+    judge(blob, size, fault);
+    FUZZ_CHECK(size < 2 || scene_check(blob + 2, size - 2) == SCENE_E_ALIGN);
     FUZZ_CHECK(glint_scene_check(blob, size) == (fault ? GLINT_E_SCENE : 0));
     if (!fault)
         draw_all((const struct scene_header *)(const void *)blob, scene_crc32(0, blob, (uint32_t)size));

@@ -35,6 +35,7 @@ static void in_range(const struct settings *s)
     const struct panel_controller *c = s->controller;
     FUZZ_CHECK(c && s->wires.chip && s->wires.dc.line && (s->wires.spi || (s->wires.sck && s->wires.mosi)));
     FUZZ_CHECK(s->width && s->height && s->offset_x + s->width <= c->columns && s->offset_y + s->height <= c->rows);
+    FUZZ_CHECK(s->wires.dc.line[0] && s->wires.speed >= 1);
     FUZZ_CHECK(s->rotation % 90 == 0 && s->rotation < 360 && s->start.control.budget >= 1);
     FUZZ_CHECK(s->keys.count <= sizeof s->keys.line / sizeof *s->keys.line);
     for (unsigned i = 0; i < s->keys.count; i++)

@@ -31,7 +31,6 @@ static uint16_t texels[1 << 8];
 /* A net of nine vertices that faces the eye, in perspective or not, lit from a random side; to be changed. */
 static void net(struct scene_case *c, int perspective)
 {
-    unsigned count = 0;
     double towards[3];
     scene_case_default(c, WIDTH, HEIGHT);
     c->head.camera.kind = perspective ? CAMERA_PERSPECTIVE : CAMERA_ORTHOGRAPHIC;
@@ -47,19 +46,7 @@ static void net(struct scene_case *c, int perspective)
             vertices[i].position[k] = (int16_t)lrint(at[k] * 32767);
         scene_case_normal(vertices[i].normal, .5 * off[0], .5 * off[1], .5 * off[2] + 1);
     }
-    for (int cell = 0; cell < (SIDE - 1) * (SIDE - 1); cell++) {
-        const int a = cell / (SIDE - 1) * SIDE + cell % (SIDE - 1),
-                  corner[2][3] = {{a, a + SIDE, a + SIDE + 1}, {a, a + SIDE + 1, a + 1}};
-        for (int t = 0; t < 2; t++, count++) {
-            for (int k = 0; k < 3; k++)
-                triangles[count].corner[k] = (uint16_t)corner[t][k];
-            scene_case_bend(&triangles[count], vertices);
-        }
-    }
-    c->mesh[0].vertices = vertices;
-    c->mesh[0].triangles = triangles;
-    c->mesh[0].vertex_count = SIDE * SIDE;
-    c->mesh[0].triangle_count = count;
+    scene_case_net(c, vertices, triangles, SIDE);
     c->object[0].position[2] = -2 * CASE_UNIT;
     c->material[0].ka = 3000;
     c->material[0].kd = 16384;

@@ -69,7 +69,6 @@ static void neighbours_in_one_depth_are_one_picture_in_any_order(void **state)
     random_seed(1);
     for (unsigned i = 0; i < 4 * glint_choice_count; i++) {
         struct scene_case c;
-        unsigned count = 0;
         scene_case_default(&c, 80, 60);
         for (int v = 0; v < SIDE * SIDE; v++) {
             double n[3];
@@ -80,19 +79,7 @@ static void neighbours_in_one_depth_are_one_picture_in_any_order(void **state)
                 vertices[v].position[k] = (int16_t)lrint(at[k] * 32767);
             scene_case_normal(vertices[v].normal, n[0], n[1], n[2] + 1.01);
         }
-        for (int cell = 0; cell < (SIDE - 1) * (SIDE - 1); cell++) {
-            const int a = cell / (SIDE - 1) * SIDE + cell % (SIDE - 1),
-                      corner[2][3] = {{a, a + SIDE, a + SIDE + 1}, {a, a + SIDE + 1, a + 1}};
-            for (int t = 0; t < 2; t++, count++) {
-                for (int k = 0; k < 3; k++)
-                    triangles[count].corner[k] = (uint16_t)corner[t][k];
-                scene_case_bend(&triangles[count], vertices);
-            }
-        }
-        c.mesh[0].vertices = vertices;
-        c.mesh[0].triangles = triangles;
-        c.mesh[0].vertex_count = SIDE * SIDE;
-        c.mesh[0].triangle_count = all;
+        scene_case_net(&c, vertices, triangles, SIDE);
         c.object[0].position[2] = (q16_t)(-1.5 * CASE_UNIT);
         c.head.camera.near_plane = (q16_t)((i & 2 ? .9 : .5) * CASE_UNIT); /* through the net, where it is tilted */
         c.material[0].kd = 20000;

@@ -4,6 +4,7 @@
  *
  *   proves: fx_mulhi_u32_narrow fx_mulhi_s32_narrow fx_mulhi_u32 fx_mulhi_s32 fx_clz_narrow fx_clz fx_step fx_saturated
  *           fx_divide_u64 fx_divide_s64 fx_root fx_recip_norm fx_rsqrt_norm fx_sin fx_cos fx_exp2_minus
+ *   lemmas: divide
  *   options: -eva-precision 3 -eva-min-loop-unroll 64 -eva-slevel 200
  *            -eva-subdivide-non-linear-function fx_recip_norm:1100
  */

@@ -1,33 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * shade/part.c: places, weights and lengths of any part, the way to any other origin, and what is rounded on it. What
- * needs a determinant's bound, and part_shade(), is not proven.
+ * shade/part.c: places, weights and lengths of any part, the way to any other origin, and what is rounded on it.
  *
  *   proves: part_place part_weights size_of scaled length_of nearest move scale_up shifted_down scale_down rounded
+ *   lemmas: part
  *   options: -eva-precision 0 -eva-slevel 70 -eva-min-loop-unroll 3
  */
 #include "proof.h"
 
-#include "firmware/shade/part.c"
+#include "parts.h"
 
 volatile int32_t sink;
-
-static void weights(void)
-{
-    int16_t place[3][3];
-    uint16_t weight[3][3], out[3];
-    struct shade_input in = {.place = {place[0], place[1], place[2]}};
-    struct part_corner corner = {.weight = {any_u32(0, PART_ONE), any_u32(0, PART_ONE)}};
-    for (int k = 0; k < 3; k++)
-        for (int i = 0; i < 3; i++) {
-            place[k][i] = any_s32(-16383, 16383);
-            weight[k][i] = any_u32(0, PART_ONE);
-        }
-    sink = part_place(&in, &corner).x;
-    part_weights(&in, &corner, out);
-    in.weight = weight;
-    part_weights(&in, &corner, out);
-}
 
 static void moves(void)
 {
@@ -42,23 +25,29 @@ static void moves(void)
     scale_down(&p, any_s32(1, 8));
 }
 
-/* Of differences below 2^(14 - scale), as shape_of() finds it. */
-static void scales(void)
+void prove(void)
 {
+    int32_t pixel, sub, rest;
+    int16_t place[3][3];
+    uint16_t weight[3][3], out[3];
+    struct shade_input in = {.place = {place[0], place[1], place[2]}};
+    struct part_corner corner = {.weight = {any_u32(0, PART_ONE), any_u32(0, PART_ONE)}};
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < 3; i++) {
+            place[k][i] = any_s32(-16384, 16384);
+            weight[k][i] = any_u32(0, PART_ONE);
+        }
+    sink = part_place(&in, &corner).x;
+    part_weights(&in, &corner, out);
+    in.weight = weight;
+    part_weights(&in, &corner, out);
+    moves();
     //@ loop unroll 14;
     for (int up = 0; up < 14; up++)
         sink = scaled(any_s32(1 - (1 << (14 - up)), (1 << (14 - up)) - 1), up, 0);
     //@ loop unroll 18;
     for (int down = 1; down <= 17; down++)
         sink = scaled(any_s32(-(1 << 30), 1 << 30), 0, down);
-}
-
-void prove(void)
-{
-    int32_t pixel, sub, rest;
-    weights();
-    moves();
-    scales();
     sink = size_of(any_s32(-(1 << 30), 1 << 30));
     sink = length_of(any_s32(-32768, 32768), any_s32(-32768, 32768));
     sink = rounded(any_u32(0, 65535), any_s32(4, 8));

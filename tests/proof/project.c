@@ -14,7 +14,7 @@
 
 #include "firmware/geometry/project.c"
 
-#define FAR ((1 << 29) - 1)
+#define FAR ((1 << 29) + (1 << 13)) /* by rotations that are a little too long */
 
 /* Points before the eye and behind it, by shifts that are known or beyond any that moves a number. */
 static void points(int divide, int least_shift, int most_shift)

@@ -5,8 +5,10 @@ FUZZ_CORPUS := tests/fuzz/corpus
 # Whose lines the corpus reaches, all of them.
 FUZZ_SRC := host-tools/view/parser.c host-tools/view/frames.c host-tools/view/unpack.c firmware/stream/pack.c \
 	firmware/stream/receive.c firmware/app/remote.c
-# Of what reads files, as far as that is so.
-FUZZ_FILE_SRC := host-tools/scene/node.c firmware/scene/scene_effects.c boards/linux/values.c
+# Of what reads files, but for those in tests/fuzz/lines.txt.
+FUZZ_FILE_SRC := $(filter host-tools/scene/reader%,$(HOST_SRC)) \
+	$(addprefix host-tools/,scene/node.c scene/picture.c scene/relief.c import/importer.c import/patch.c import/shape.c compare/image.c) \
+	$(addprefix firmware/scene/,scene_check.c scene_effects.c texel.c) boards/linux/values.c
 FUZZ_LIB := $(BUILD)/fuzz/libfuzz.a
 FUZZ_SCENES := mini clip
 FUZZ_SCENE_C := $(SCENE_DIR)/fuzz_list.c $(FUZZ_SCENES:%=$(SCENE_DIR)/%.c)
@@ -32,6 +34,7 @@ FUZZ_MUTATE_fuzz_scene := mutate_scene.c
 FUZZ_MUTATE_fuzz_json := mutate_json.c
 FUZZ_MUTATE_fuzz_picture := mutate_picture.c
 FUZZ_FLAGS_fuzz_view := -Wl,--wrap=malloc -Wl,--wrap=realloc
+FUZZ_FLAGS_fuzz_json := -Wl,--wrap=import_file
 FUZZ_FLAGS_fuzz_mesh := -Wl,--wrap=aiImportFileExWithProperties -Wl,--wrap=freopen
 # Those that read files as the tools do, with all that belongs to it.
 FUZZ_FILES := fuzz_json fuzz_mesh fuzz_picture fuzz_settings
@@ -61,6 +64,15 @@ fuzz-lines: $(FUZZ_BIN)
 	@find $(BUILD) -name '*.gcda' -delete
 	@$(MAKE) fuzz-replay >/dev/null && tests/fuzz/lines.sh tests/fuzz/lines.txt $(BUILD)/obj $(FUZZ_SRC) $(FUZZ_FILE_SRC)
 
+# Under the sanitizers of suite-sanitize, whose objects these are too.
+FUZZ_PLANTED := $(filter-out fuzz_pack fuzz_receive fuzz_remote fuzz_unpack fuzz_view,$(FUZZ_TARGETS))
+fuzz-planted-run: $(FUZZ_SCENE_C)
+	+@$(FAULTS_SANITIZED) fuzz-planted-sanitized
+fuzz-planted-sanitized: $(FUZZ_PLANTED:%=$(BUILD)/fuzz/%)
+	@COMPILE="$(CC) $(HOST_FLAGS) $(PACKAGE_FLAGS) -Itests $(OPT) -g -w $(CFLAGS)" \
+		$(foreach t,$(FUZZ_PLANTED),FLAGS_$(t)="$(FUZZ_FLAGS_$(t))" PART_$(t)="$(FUZZ_PART_$(t))") \
+		tests/fuzz/planted.sh $(BUILD)/fuzz/planted $(HOST_LIB) $(CORE_LIB) $(PACKAGE_LIBS) -lz -lm
+
 suite-fuzz: $(FUZZ_SCENE_C)
 	@status=0; $(MAKE) fuzz-replay || status=1; \
 	$(MAKE) BUILD=$(BUILD)/lines CC=gcc OPT=-O0 CFLAGS=--coverage fuzz-lines || status=1; exit $$status
@@ -69,4 +81,4 @@ suite-fuzz: $(FUZZ_SCENE_C)
 suite-sanitize: $(FUZZ_SCENE_C)
 suite-sanitized: $(FUZZ_BIN)
 
-.PHONY: fuzz-search fuzz-run fuzz-replay fuzz-lines suite-fuzz
+.PHONY: fuzz-planted-run fuzz-planted-sanitized fuzz-search fuzz-run fuzz-replay fuzz-lines suite-fuzz

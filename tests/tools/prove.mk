@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-# tests/proof: each .c is a proof (its proof.h says how they are written). PROOFS="fixed edges": of these alone.
-PROOFS ?= $(patsubst tests/proof/%.c,%,$(wildcard tests/proof/*.c))
+# tests/proof: each .c is a proof (its proof.h says how they are written), wp/*.c too (prove.py). PROOFS="fixed edges": of
+# these alone. The scene check's takes longer than all else and has a target of its own.
+PROOFS ?= $(filter-out wp/scene_check,$(patsubst tests/proof/%.c,%,$(wildcard tests/proof/*.c tests/proof/wp/*.c)))
 
 prove-run:
 	@status=0; $(if $(filter file,$(origin PROOFS)),tests/tools/prove_bounds.py || status=1;) \

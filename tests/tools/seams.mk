@@ -19,7 +19,13 @@ $(FAULTS_TOOLS): tests/faults/tools.c tests/faults/wraps.c $(FAULTS_MAINS) $(HOS
 
 # Models of machines are those of the unit tests.
 FAULTS_MACHINES := $(patsubst tests/%.c,$(BUILD)/tests/%,$(filter-out %/tools.c %/wraps.c,$(wildcard tests/faults/*.c)))
-$(FAULTS_MACHINES): HOST_FLAGS += -Itests/unit -Itests/unit/gpiod_v2 $(VIEW_FLAGS)
+$(FAULTS_MACHINES): HOST_FLAGS += -Itests/unit $(VIEW_FLAGS)
+FAULTS_SDL := Init CreateWindow DestroyWindow CreateRenderer DestroyRenderer CreateTexture LockTexture UpdateTexture SetTextureColorMod \
+	SetTextureBlendMode GetRendererOutputSize SetRenderDrawColor RenderClear RenderCopy RenderReadPixels GetDisplayUsableBounds \
+	SetWindowFullscreen
+$(BUILD)/tests/faults/window: LDFLAGS += $(FAULTS_SDL:%=-Wl,--wrap=SDL_%)
+$(BUILD)/tests/faults/linux_v1: HOST_FLAGS += -Itests/unit/gpiod_v1
+$(BUILD)/tests/faults/linux_v2: HOST_FLAGS += -Itests/unit/gpiod_v2
 -include $(FAULTS_MACHINES:=.d)
 
 # Each call, two halves of the cases at once.

@@ -94,6 +94,26 @@ static inline void scene_case_bend(struct scene_triangle *triangle, const struct
     }
 }
 
+/* Mesh 0 becomes a net of side x side vertices, row by row from the top left, two triangles a cell. */
+static inline void scene_case_net(struct scene_case *c, const struct scene_vertex *vertices,
+                                  struct scene_triangle *triangles, int side)
+{
+    unsigned count = 0;
+    for (int cell = 0; cell < (side - 1) * (side - 1); cell++) {
+        const int a = cell / (side - 1) * side + cell % (side - 1),
+                  corner[2][3] = {{a, a + side, a + side + 1}, {a, a + side + 1, a + 1}};
+        for (int t = 0; t < 2; t++, count++) {
+            for (int k = 0; k < 3; k++)
+                triangles[count].corner[k] = (uint16_t)corner[t][k];
+            scene_case_bend(&triangles[count], vertices);
+        }
+    }
+    c->mesh[0].vertices = vertices;
+    c->mesh[0].triangles = triangles;
+    c->mesh[0].vertex_count = (uint32_t)(side * side);
+    c->mesh[0].triangle_count = count;
+}
+
 static inline void *scene_case_take(struct scene_header *blob, uint32_t *offset, size_t count, size_t bytes,
                                     const void *from)
 {

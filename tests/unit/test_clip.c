@@ -427,6 +427,41 @@ static void behind_the_near_plane_nothing_is_drawn(void **state)
     frame_case_close(&f);
 }
 
+/* By clip.h within 2^-27: 1 on an edge of the triangle's own, 3/2 more at each further plane. */
+static void weights_of_cut_corners_sum_to_one(void **state)
+{
+    (void)state;
+    const int32_t one = Q30(1, 1);
+    int64_t least = 0, most = 0;
+    long cuts = 0;
+    random_seed(65);
+    for (int i = 0; i < 200000; i++) {
+        const int32_t reach = 1 << random_between(3, 28);
+        struct transform t = {
+            .near_z = 1, .far_z = random_between(1, reach), .divide = 1, .shift = random_between(25, 32)};
+        struct clip_polygon polygon = {.count = 3}, other;
+        t.range = (uint32_t)t.far_z - 1;
+        for (int k = 0; k < 3; k++) {
+            struct clip_corner *c = &polygon.corner[k];
+            c->eye.x = random_between(-reach, reach);
+            c->eye.y = random_between(-reach, reach);
+            c->eye.z = random_between(-reach, reach);
+            c->weight[0] = c->weight[1] = c->weight[2] = 0;
+            c->weight[k] = one;
+        }
+        clip_triangle(&t, &polygon, &other);
+        for (int k = 0; k < polygon.count; k++, cuts++) {
+            const q30_t *w = polygon.corner[k].weight;
+            const int64_t off = (int64_t)w[0] + w[1] + w[2] - one;
+            assert_true(w[0] >= 0 && w[1] >= 0 && w[2] >= 0);
+            least = off < least ? off : least;
+            most = off > most ? off : most;
+        }
+    }
+    print_message("%ld corners, sums %d to %d * 2^-30 off\n", cuts, (int)least, (int)most);
+    assert_true(cuts > 300000 && least >= -8 && most <= 8);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -435,6 +470,7 @@ int main(void)
         cmocka_unit_test(x_on_pieces_has_the_values_of_the_whole_triangle),
         cmocka_unit_test(edge_shared_across_the_near_and_far_planes_is_drawn_once),
         cmocka_unit_test(behind_the_near_plane_nothing_is_drawn),
+        cmocka_unit_test(weights_of_cut_corners_sum_to_one),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,14 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* The handheld's program with a link: what is on the display goes over it, or is left out, and nobody waits. */
-#include "app/app.h"
-#include "clock.h"
-#include "cortexm/fault.h"
-#include "cortexm/machine.h"
-#include "cortexm/stack.h"
-#include "firmware/app/main.c"
-#include "input.h"
-#include "pack/pack.h"
-#include "serial.h"
 #include "view/frames.h"
 #include "view/port.h"
 
@@ -20,32 +11,17 @@
 
 #include <cmocka.h>
 
+#include "app_machine.h"
+
 enum { WIDTH = 64, HEIGHT = 50, BAND_ROWS = 12, MEMORY = 150 * 1024, PICTURES = 12, PERIOD_US = 16000 };
 enum { PICTURE = 2 * WIDTH * HEIGHT, BANDS = 5, MOST = PICTURE + 36 * BANDS + 116 };
 
-static uint32_t blob[24 * 1024 / 4], blob_length, memory[MEMORY / 4], bands[2][WIDTH * BAND_ROWS / 2],
-    last[PICTURE / 4], now_us;
+static uint32_t memory[MEMORY / 4], bands[2][WIDTH * BAND_ROWS / 2], last[PICTURE / 4];
 const struct program_scene program_scenes[] = {{"demo", blob, &blob_length}, {"again", blob, &blob_length}};
 const unsigned program_scene_count = 2;
 
 /* What there is of the machine. */
 static char reports[4096];
-uint32_t input_buttons(void)
-{
-    return 0;
-}
-uint32_t clock_us(void)
-{
-    return now_us += 100;
-}
-void clock_wait_us(uint32_t us)
-{
-    now_us += us;
-}
-void clock_idle(void)
-{
-    now_us += 1000;
-}
 void machine_write(const char *text)
 {
     strncat(reports, text, sizeof reports - strlen(reports) - 1);
@@ -60,21 +36,6 @@ uint32_t serial_read(void *bytes, uint32_t size)
     (void)bytes, (void)size;
     return 0;
 }
-int fault_last(struct fault *fault)
-{
-    (void)fault;
-    return 0;
-}
-void fault_text(const struct fault *fault, char text[FAULT_TEXT])
-{
-    (void)fault;
-    text[0] = 0;
-}
-uint32_t stack_used(void)
-{
-    return 0;
-}
-void stack_check(void) {}
 
 /* A display that shows what it was given, or fails once. */
 static uint8_t shown[PICTURE];
@@ -218,14 +179,8 @@ static void line_log(void *context, const char *text, uint32_t length)
 
 static int load(void **state)
 {
-    struct pack_result packed;
     (void)state;
-    if (pack_load("tests/scenes/demo.json", NULL, &packed) != 0 || packed.size > sizeof blob)
-        return 1;
-    memcpy(blob, packed.scene, packed.size);
-    blob_length = (uint32_t)packed.size;
-    pack_free(&packed);
-    return 0;
+    return app_machine_load("tests/scenes/demo.json");
 }
 
 static void run(const char *answers)

@@ -9,6 +9,7 @@
 
 #include <cmocka.h>
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -237,6 +238,30 @@ static void absurd_meshes_are_refused(void **state)
     free(blob);
 }
 
+/* As if the sphere's radius were rounded down: of a small mesh a step is much of it. */
+static void a_radius_a_step_short_of_the_vertices_is_refused(void **state)
+{
+    (void)state;
+    struct scene_header *blob = copy(tiny.size);
+    struct scene_mesh *mesh = (struct scene_mesh *)((uint8_t *)blob + blob->meshes);
+    struct scene_vertex *vertex = (struct scene_vertex *)((uint8_t *)blob + mesh->vertices);
+    double reach = 0;
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        int16_t *p = vertex[i].position;
+        for (int k = 0; k < 3; k++)
+            p[k] = (int16_t)(p[k] * 3 / 5);
+        reach = fmax(reach, sqrt((double)p[0] * p[0] + (double)p[1] * p[1] + (double)p[2] * p[2]));
+    }
+    for (mesh->extent = 64; mesh->extent < 256; mesh->extent++) {
+        const double length = reach * mesh->extent / 32768;
+        mesh->radius = (q16_t)ceil((reach + 1) * mesh->extent / 32768); /* and a position unit more: enough */
+        mend_crc(blob);
+        assert_int_equal(scene_check(blob, tiny.size), SCENE_OK);
+        REFUSE(mesh->radius, (q16_t)ceil(length) - 1, SCENE_E_RANGE);
+    }
+    free(blob);
+}
+
 static void absurd_materials_are_refused(void **state)
 {
     (void)state;
@@ -324,6 +349,7 @@ int main(void)
         cmocka_unit_test(absurd_headers_are_refused),
         cmocka_unit_test(absurd_cameras_are_refused),
         cmocka_unit_test(absurd_meshes_are_refused),
+        cmocka_unit_test(a_radius_a_step_short_of_the_vertices_is_refused),
         cmocka_unit_test(absurd_materials_are_refused),
         cmocka_unit_test(absurd_objects_and_motions_are_refused),
         cmocka_unit_test(absurd_lights_are_refused),

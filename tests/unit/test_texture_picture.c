@@ -19,8 +19,8 @@
 #include "pack_case.h"
 
 /* A board that is clipped by the near plane, beside a ball and a box of texture on a point, under a far and a near
- * light. `texture` are members of the texture, `lights` the lights. */
-static struct pack_result load(const char *texture, const char *lights)
+ * light. `texture` are members of the texture, `lights` the lights; the board stands `turned` degrees about. */
+static struct pack_result load_turned(const char *texture, const char *lights, int turned)
 {
     char text[2048], said[256];
     struct pack_result r;
@@ -33,11 +33,17 @@ static struct pack_result load(const char *texture, const char *lights)
         "\"ball\": {\"texture\": \"t\", \"diffuse\": [1, 0.8, 0.6], \"kd\": 0.6, \"ks\": 0.4, \"shininess\": 12}}, "
         "\"meshes\": {\"board\": {\"shape\": \"plane\", \"size\": [3, 6], \"segments\": 2, \"material\": \"board\"}, "
         "\"ball\": {\"shape\": \"sphere\", \"radius\": 0.4, \"slices\": 12, \"stacks\": 8, \"material\": \"ball\"}}, "
-        "\"objects\": [{\"mesh\": \"board\"}, {\"mesh\": \"ball\", \"transform\": [{\"move\": [0, 0.5, 0]}]}]}",
-        lights, texture);
+        "\"objects\": [{\"mesh\": \"board\", \"transform\": [{\"rotate\": [\"y\", %d]}]}, {\"mesh\": \"ball\", "
+        "\"transform\": [{\"move\": [0, 0.5, 0]}]}]}",
+        lights, texture, turned);
     assert_int_equal(case_load("scene.json", text, &r, said, sizeof said), 0);
     assert_string_equal(said, "");
     return r;
+}
+
+static struct pack_result load(const char *texture, const char *lights)
+{
+    return load_turned(texture, lights, 0);
 }
 
 #define FAR_LIGHT  "{\"towards\": [0.4, 0.8, 0.5], \"colour\": [0.8, 0.8, 0.8]}"
@@ -130,6 +136,31 @@ static void every_method_takes_textures(void **state)
     pack_free(&r);
 }
 
+/* Grey weighs a texel's channels by the material's colour; of black nothing shows but highlights. */
+static void a_texture_on_black_is_not_seen_in_grey(void **state)
+{
+    (void)state;
+    struct pack_result r = load(NOISE, FAR_LIGHT);
+    struct scene_material *material = (struct scene_material *)(uintptr_t)scene_materials(r.scene);
+    uint8_t *picture[2];
+    int brightest = 0;
+    for (int textured = 1; textured >= 0; textured--) {
+        for (unsigned i = 0; i < r.scene->material_count; i++) {
+            memset(material[i].diffuse, 0, sizeof material[i].diffuse);
+            material[i].texture = textured ? material[i].texture : SCENE_NO_TEXTURE;
+        }
+        picture[textured] = frame_case_picture(frame_case_small(120, 90, GLINT_GREY8), r.scene, 0, NULL);
+    }
+    for (int i = 0; i < 120 * 90; i++) {
+        assert_in_range(picture[1][i] + 1, picture[0][i], picture[0][i] + 2);
+        brightest = picture[0][i] > brightest ? picture[0][i] : brightest;
+    }
+    assert_in_range(brightest, 60, 255);
+    free(picture[0]);
+    free(picture[1]);
+    pack_free(&r);
+}
+
 static void kinds_err_in_the_order_of_their_cost(void **state)
 {
     (void)state;
@@ -147,6 +178,39 @@ static void kinds_err_in_the_order_of_their_cost(void **state)
     assert_true(fabs(psnr[GLINT_TEXTURE_SPLIT] - psnr[GLINT_TEXTURE_PERSPECTIVE]) < 2);
     assert_true(psnr[GLINT_TEXTURE_PERSPECTIVE] > 58);
     pack_free(&r);
+}
+
+/* Moves all coordinates along, so that the least u and v are -8 turns, the least there are. */
+static void move_to_the_end(const struct scene_header *scene)
+{
+    const struct scene_mesh *const mesh = scene_meshes(scene);
+    for (unsigned m = 0; m < scene->mesh_count; m++) {
+        int16_t(*uv)[2] = (int16_t(*)[2])(uintptr_t)scene_at(scene, mesh[m].uvs);
+        for (int axis = 0; axis < 2; axis++) {
+            int least = INT16_MAX;
+            for (unsigned i = 0; i < mesh[m].vertex_count; i++)
+                least = uv[i][axis] < least ? uv[i][axis] : least;
+            for (unsigned i = 0; i < mesh[m].vertex_count; i++)
+                uv[i][axis] = (int16_t)(uv[i][axis] - least + INT16_MIN);
+        }
+    }
+}
+
+/* Seen from aside, so that a part's corner on an edge has odd shares of the edge's ends. */
+static void coordinates_at_the_end_of_their_range_are_like_others(void **state)
+{
+    (void)state;
+    struct pack_result r = load_turned(NOISE, FAR_LIGHT, 35), moved = load_turned(NOISE, FAR_LIGHT, 35);
+    move_to_the_end(moved.scene);
+    for (uint8_t kind = GLINT_TEXTURE_AFFINE; kind < GLINT_TEXTURES; kind++) {
+        const struct glint_config config = {
+            .format = GLINT_RGB888, .method = &glint_phong_perspective, .texture = kind};
+        const double before = measure(r.scene, config).psnr_db, after = measure(moved.scene, config).psnr_db;
+        if (fabs(after - before) > 1)
+            fail_msg("kind %u: %.1f dB, %.1f before", kind, after, before);
+    }
+    pack_free(&r);
+    pack_free(&moved);
 }
 
 /* The budget is kept with textures, by auto and by splitting with per-pixel Phong. */
@@ -196,7 +260,9 @@ int main(void)
         cmocka_unit_test(bilinear_textures_are_within_1_5_of_the_truth),
         cmocka_unit_test(nearest_texels_are_the_truth_but_for_pixels_on_their_edges),
         cmocka_unit_test(every_method_takes_textures),
+        cmocka_unit_test(a_texture_on_black_is_not_seen_in_grey),
         cmocka_unit_test(kinds_err_in_the_order_of_their_cost),
+        cmocka_unit_test(coordinates_at_the_end_of_their_range_are_like_others),
         cmocka_unit_test(the_budget_is_kept),
         cmocka_unit_test(bands_of_any_height_give_the_same_pixels),
     };
