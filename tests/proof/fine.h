@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What the functions of raster/fine.c ask and give: each is proven by one of fine*.c, and assumed by what calls it. What
- * is no interval in them is shown by the lemmas (.smt2). */
+/* What the functions of raster/fine.c ask and give: each is proven by one of fine*.c, and assumed by what calls it.
+ * What is no interval in them is shown by the lemmas (.smt2). */
 #ifndef PROOF_FINE_H
 #define PROOF_FINE_H
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * shade/normal_quadratic.c: any normals of unit length within 2^-13 and any places of the corners, whichever edges
- * bend. vector_normalise() is not proven.
+ * bend. That vector_normalise() gives unit ones is not.
  *
  *   proves: size_of times_q30 dot cross edge_between bend_edge gather normal_quadratic_overveld part_across is_shorter
  *           widen face_normal direction normal_quadratic_lee_jen normal_quadratic_corners normal_quadratic_restrict
@@ -26,10 +26,6 @@ void vector_normalise(const int32_t v[3], q30_t out[3])
 /*@ requires \valid(plane);
     assigns *plane \from *plane; */
 void plane_setup_quadratic(struct plane *plane);
-
-/* Of constants it would be a branch that nothing reaches. */
-#undef Q30
-#define Q30(num, den) ((num)*0x40000000 / (den))
 
 #include "firmware/shade/normal_quadratic.c"
 #include "six_samples.h"
