@@ -81,5 +81,4 @@ planted "bends of any normals" x tests/proof/x.smt2 's/(\* 4 (- 1 bend)) 0.0035/
 planted "a light that there is not" x firmware/shade/x.c 's/in->lights\[k\]\[2 \* light/in->lights[k][3 * light/'
 planted "vectors longer than unit ones" normal_quadratic tests/proof/normal_quadratic.smt2 's/(<= (\* v v) 1.0006)/(<= (* v v) 2.0)/'
 planted "an edge of the wrong corner" normal_quadratic firmware/shade/normal_quadratic.c 's/\*b = corner\[e == 2 ? 0 : e + 1\]/*b = corner[e + 1]/'
-[ -z "${ALL-}" ] || planted "sums four words apart" raster_dots firmware/raster/dots.c 's/i < n; i++, sum += 3/i < n; i++, sum += 4/'
 exit $status
