@@ -4,7 +4,8 @@
  *
  *   proves: perspective_setup perspective_linear perspective_numerator perspective_quadratic
  *   assumes: plane_linear_wide plane_quadratic_wide
- *   options: -eva-precision 0 -eva-min-loop-unroll 3 -eva-slevel 200 -eva-split-return full
+ *   lemmas: perspective
+ *   options: -eva-precision 0 -eva-min-loop-unroll 3 -eva-slevel 200 -eva-split-return full -warn-signed-downcast
  */
 #define PROOF_CLZ_BY_CASES
 #include "proof.h"

@@ -12,15 +12,13 @@
 
 #include "pieces.h"
 
-/* Of constants these would be branches that nothing reaches. */
+/* As a call: of a constant corner it would be a branch that nothing reaches. */
 static int turned(int k)
 {
     return k ? 3 - k : 0;
 }
 #undef SHADE_TURN
 #define SHADE_TURN(k) turned(k)
-#undef Q14
-#define Q14(num, den) ((num)*16384 / (den))
 
 #include "firmware/shade/piece.c"
 

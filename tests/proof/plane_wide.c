@@ -16,9 +16,8 @@
 static void channels(struct plane *plane)
 {
     struct channel channel;
-    const int32_t most = (1 << 14) + (1 << 11);
     const int32_t value[3] = {ANY_S32, ANY_S32, ANY_S32};
-    const int32_t small[3] = {any_s32(-most, most), any_s32(-most, most), any_s32(-most, most)};
+    const int32_t small[3] = {any_s32(-32768, 32767), any_s32(-32768, 32767), any_s32(-32768, 32767)};
     const int32_t bulge[3] = {ANY_S32, ANY_S32, ANY_S32};
     plane->slim = any_flag();
     plane_linear_wide(plane, value, &channel);

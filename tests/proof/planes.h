@@ -59,6 +59,7 @@ int plane_setup(struct plane *plane, const int16_t *const p[3], unsigned width, 
 void plane_keep_corners(struct channel *channel, const int32_t value[3], const int32_t bulge[3]);
 
 /*@ requires \valid_read(plane) && \valid_read(value + (0 .. 2)) && \valid_read(bulge + (0 .. 2)) && \valid(channel);
+    requires values: -32768 <= value[0] <= 32767 && -32768 <= value[1] <= 32767 && -32768 <= value[2] <= 32767;
     assigns *channel \from *plane, value[0 .. 2], bulge[0 .. 2]; */
 void plane_quadratic_large(const struct plane *plane, const int32_t value[3], const int32_t bulge[3],
                            struct channel *channel);

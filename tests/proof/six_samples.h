@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Pieces of what is quadratic by six samples: any values that piece.c shows, less what six_samples.smt2 does. */
+/* Pieces of what is quadratic: any values that piece.c shows, less what a lemma does of six samples or of normals. */
 #ifndef SIX_SAMPLES_H
 #define SIX_SAMPLES_H
 
