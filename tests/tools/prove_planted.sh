@@ -51,4 +51,11 @@ planted "a turn a row late, in the lemma too" edges tests/proof/edges.smt2 's/(<
 planted "a bulge without its limit" dots firmware/shade/dots.c 's/bulge < -INT32_MAX ? -INT32_MAX/bulge < INT32_MIN ? INT32_MIN/'
 planted "a place's weight too wide" part firmware/shade/part.c 's/rest_x \* (1 << 13)/rest_x * (1 << 18)/'
 [ -z "${ALL-}" ] || planted "a light too many" surface firmware/shade/surface.c 's/i < scene->light_count/i <= scene->light_count/'
+planted "a count of descriptors that are not there" ffs hal/linux/ffs.c 's/super_speed_count = 5/super_speed_count = 6/'
+planted "a button more than there are lines" values boards/linux/values.c 's/count == GPIO_LINES/count > GPIO_LINES/'
+planted "a list that goes on behind its end" names host-tools/view/names.c 's/at < end; at +=/at <= end; at +=/'
+[ -z "${ALL-}" ] || planted "a queue a byte too long" usb_stream hal/linux/usb_stream.c 's/size > u->size - (u->written/size > u->size + 1 - (u->written/'
+[ -z "${ALL-}" ] || planted "a turned line that begins a byte late" panels hal/panels/turn.c 's/panel->across - 1u - x : x/panel->across - x : x/'
+[ -z "${ALL-}" ] || planted "room for a byte less" wp/parser host-tools/view/parser.c 's/room = 2 \* (p->count + size)/room = p->count + size - 1/'
+[ -z "${ALL-}" ] || planted "a band of more rows than are left" frames host-tools/view/frames.c 's/p->height - m->y ||/p->height ||/'
 exit $status
