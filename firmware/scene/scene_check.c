@@ -197,6 +197,8 @@ static enum scene_fault check_triangles(const struct scene_header *s, const stru
     const struct scene_triangle *t = scene_at(s, mesh->triangles);
     const struct scene_vertex *v = scene_at(s, mesh->vertices);
     /*@ loop invariant 0 <= i <= mesh->triangle_count && t == TRIANGLES(s, mesh) + i;
+        loop invariant CORNERS(s, mesh, i);
+        loop invariant SURFACES(s, mesh, i);
         loop assigns i, t;
         loop variant mesh->triangle_count - i; */
     for (uint32_t i = 0; i < mesh->triangle_count; i++, t++) {
@@ -208,6 +210,9 @@ static enum scene_fault check_triangles(const struct scene_header *s, const stru
         for (int k = 0; k < 3; k++)
             if (t->corner[k] >= mesh->vertex_count)
                 return SCENE_E_INDEX;
+        //@ assert t->corner[0] < mesh->vertex_count;
+        //@ assert t->corner[1] < mesh->vertex_count;
+        //@ assert t->corner[2] < mesh->vertex_count;
         if (t->material >= s->material_count || !mapped(mesh, &scene_materials(s)[t->material]))
             return SCENE_E_INDEX;
         /*@ loop invariant 0 <= k <= 3;

@@ -84,4 +84,11 @@ planted "bends of any normals" x tests/proof/x.smt2 's/(\* 4 (- 1 bend)) 0.0035/
 planted "a light that there is not" x firmware/shade/x.c 's/in->lights\[k\]\[2 \* light/in->lights[k][3 * light/'
 planted "vectors longer than unit ones" normal_quadratic tests/proof/normal_quadratic.smt2 's/(<= (\* v v) 1.0006)/(<= (* v v) 2.0)/'
 planted "an edge of the wrong corner" normal_quadratic firmware/shade/normal_quadratic.c 's/\*b = corner\[e == 2 ? 0 : e + 1\]/*b = corner[e + 1]/'
+planted "a count of descriptors that are not there" ffs hal/linux/ffs.c 's/super_speed_count = 5/super_speed_count = 6/'
+planted "a button more than there are lines" values boards/linux/values.c 's/count == GPIO_LINES/count > GPIO_LINES/'
+planted "a list that goes on behind its end" names host-tools/view/names.c 's/at < end; at +=/at <= end; at +=/'
+[ -z "${ALL-}" ] || planted "a queue a byte too long" usb_stream hal/linux/usb_stream.c 's/size > u->size - (u->written/size > u->size + 1 - (u->written/'
+[ -z "${ALL-}" ] || planted "a turned line that begins a byte late" panels hal/panels/turn.c 's/panel->across - 1u - x : x/panel->across - x : x/'
+[ -z "${ALL-}" ] || planted "room for a byte less" wp/parser host-tools/view/parser.c 's/room = 2 \* (p->count + size)/room = p->count + size - 1/'
+[ -z "${ALL-}" ] || planted "a band of more rows than are left" frames host-tools/view/frames.c 's/p->height - m->y ||/p->height ||/'
 exit $status

@@ -41,6 +41,21 @@
      ((m)->tangents == 0 || INSIDE(s, (m)->tangents, (m)->vertex_count, sizeof(struct scene_tangent))))
 #define NORMALS(s, m) \
     (\forall integer j, k; 0 <= j < (m)->vertex_count && 0 <= k < 3 ==> -16386 <= VERTICES(s, m)[j].normal[k] <= 16386)
+/* Indices: the first n triangles' corners and materials, and those of a mesh, a material, a motion and an object. */
+#define CORNERS(s, m, n)                                                            \
+    (\forall integer j; 0 <= j < (n) ==>                                            \
+        TRIANGLES(s, m)[j].corner[0] < (m)->vertex_count &&                         \
+        TRIANGLES(s, m)[j].corner[1] < (m)->vertex_count &&                         \
+        TRIANGLES(s, m)[j].corner[2] < (m)->vertex_count)
+#define SURFACES(s, m, n) (\forall integer j; 0 <= j < (n) ==> TRIANGLES(s, m)[j].material < (s)->material_count)
+#define MESH(s, m) \
+    (MESH_ARRAYS(s, m) && CORNERS(s, m, (m)->triangle_count) && SURFACES(s, m, (m)->triangle_count))
+#define MATERIAL(s, m)                                                              \
+    ((m)->power < (s)->power_count &&                                               \
+     ((m)->texture == SCENE_NO_TEXTURE || (m)->texture < (s)->texture_count) &&     \
+     ((m)->bump == SCENE_NO_TEXTURE || (m)->bump < (s)->texture_count))
+#define MOTION(s, m) ((m)->kind == MOTION_KEYS ==> 1 <= (m)->key_count && (m)->first_key + (m)->key_count <= (s)->key_count)
+#define OBJECT(s, o) ((o)->mesh < (s)->mesh_count && (MOTION(s, &(o)->motion)))
 /* clang-format on */
 #define TEXELS(t) (1 << ((t)->log2_width + (t)->log2_height))
 /*@ requires \valid_read((const uint8_t *)bytes + (0 .. size - 1));
@@ -149,14 +164,16 @@ static bool mapped(const struct scene_mesh *mesh, const struct scene_material *m
 
 /*@ requires READS(struct scene_vertex, s) && READS(struct scene_triangle, s) && READS(struct scene_material, s);
     requires GOOD(s) && \valid_read(mesh) && MESH_ARRAYS(s, mesh) && NORMALS(s, mesh);
-    assigns \nothing; */
+    assigns \nothing;
+    ensures \result == SCENE_OK ==> CORNERS(s, mesh, mesh->triangle_count);
+    ensures \result == SCENE_OK ==> SURFACES(s, mesh, mesh->triangle_count); */
 static enum scene_fault check_triangles(const struct scene_header *s, const struct scene_mesh *mesh);
 
 /*@ requires READS(struct scene_vertex, s) && READS(struct scene_triangle, s) &&
         READS(struct scene_material, s) && READS(struct scene_tangent, s);
     requires GOOD(s) && \valid_read(mesh);
     assigns \nothing;
-    ensures \result == SCENE_OK ==> MESH_ARRAYS(s, mesh); */
+    ensures \result == SCENE_OK ==> MESH(s, mesh); */
 static enum scene_fault check_mesh(const struct scene_header *s, const struct scene_mesh *mesh);
 
 /*@ requires \valid_read(p);
@@ -165,7 +182,8 @@ static enum scene_fault check_power(const struct fx_power *p);
 
 /*@ requires READS(struct scene_texture, s) && READS(struct fx_power, s);
     requires GOOD(s) && \valid_read(m);
-    assigns \nothing; */
+    assigns \nothing;
+    ensures \result == SCENE_OK ==> MATERIAL(s, m); */
 static enum scene_fault check_material(const struct scene_header *s, const struct scene_material *m);
 
 /*@ requires READS(uint8_t, s) && READS(uint16_t, s) && READS(uint32_t, s);
@@ -192,17 +210,20 @@ static enum scene_fault check_key(const struct scene_key *k);
 
 /*@ requires READS(struct scene_key, s);
     requires GOOD(s) && \valid_read(m);
-    assigns \nothing; */
+    assigns \nothing;
+    ensures \result == SCENE_OK ==> (MOTION(s, m)); */
 static enum scene_fault check_motion(const struct scene_header *s, const struct scene_motion *m);
 
 /*@ requires READS(struct scene_key, s);
     requires GOOD(s) && \valid_read(o);
-    assigns \nothing; */
+    assigns \nothing;
+    ensures \result == SCENE_OK ==> OBJECT(s, o); */
 static enum scene_fault check_object(const struct scene_header *s, const struct scene_object *o);
 
 /*@ requires READS(struct scene_key, s);
     requires GOOD(s) && \valid_read(l);
-    assigns \nothing; */
+    assigns \nothing;
+    ensures \result == SCENE_OK ==> (MOTION(s, &l->motion)); */
 static enum scene_fault check_light(const struct scene_header *s, const struct scene_light *l);
 
 /*@ requires READS(struct scene_material, s) && READS(struct scene_light, s) && READS(struct scene_object, s);
