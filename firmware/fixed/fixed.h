@@ -38,7 +38,7 @@ typedef int32_t q28_4_t; /* screen coordinates, 1/16 pixel */
 
 /* A constant num/den in Qn, rounded to nearest, halves away from 0; den > 0. One that does not fit does not compile. */
 #define FX_Q_WIDE(n, num, den) \
-    (((num)*fx_wrap_s64(2) * (INT64_C(1) << (n)) + ((num) < 0 ? -(den) : (den))) / (2 * fx_wrap_s64(den)))
+    (((num)*fx_wrap_s64(2) * (INT64_C(1) << (n)) + (1 - 2 * ((num) < 0)) * fx_wrap_s64(den)) / (2 * fx_wrap_s64(den)))
 #define FX_Q_IN(bits, x) \
     (fx_wrap_s32(x) + 0 * fx_wrap_s32(sizeof(char[1 - 2 * (fx_wrap_u64(((x) >> ((bits)-1)) + 1) > 1)])))
 #define FX_Q(n, num, den) FX_Q_IN(32, FX_Q_WIDE(n, num, den))

@@ -34,7 +34,11 @@ static int32_t mix(int32_t a, int32_t b, uint32_t t_q31)
     return fx_s32(a + (((fx_s64(b) - a) * fx_s64(t_q31) + (1 << 30)) >> 31));
 }
 
-/* The cut from a corner inside to one outside: t = d0 / (d0 - d1) in Q31. */
+/*
+ * The cut from a corner inside to one outside: t = d0 / (d0 - d1) in Q31, rounded down, so that it is less than 1. Each
+ * coordinate lies between its ends. At the near and the far plane d0 - d1 is below 2^32 and the way in z itself: t
+ * takes of it no more than d0, which rounding to nearest keeps, and no cut lies outside.
+ */
 static void cut(const struct clip_corner *in, int64_t d0, const struct clip_corner *out, int64_t d1,
                 struct clip_corner *result)
 {
@@ -66,9 +70,6 @@ static void clip_plane(const struct transform *t, int plane, const struct clip_p
                 cut(a, da, b, db, &to->corner[to->count++]);
             else
                 cut(b, db, a, da, &to->corner[to->count++]);
-            struct clip_corner *made = &to->corner[to->count - 1];
-            /* A cut at the near or far plane may have been rounded out of it. */
-            made->eye.z = made->eye.z < t->near_z ? t->near_z : made->eye.z > t->far_z ? t->far_z : made->eye.z;
         }
     }
 }

@@ -24,9 +24,8 @@ int project_orthographic(const struct transform *t, struct eye_point e, int32_t 
      * the depth times 2^(47 - up), less the 32 bits that mulhi drops. */
     unsigned up = t->depth_shift < 32 ? 32u - fx_u32(t->depth_shift) : 0,
              down = t->depth_shift > 32 ? fx_u32(t->depth_shift) - 32 : 0;
-    uint32_t depth = fx_mulhi_u32(to_far << up, t->depth_scale) >> down;
-    depth = depth > DEPTH_NEAR - DEPTH_FAR ? DEPTH_NEAR - DEPTH_FAR : depth;
-    out->depth = fx_u16(DEPTH_FAR + depth);
+    const uint32_t depth = fx_mulhi_u32(to_far << up, t->depth_scale) >> down;
+    out->depth = fx_u16(DEPTH_FAR + depth); /* all is rounded down, and to_far <= range */
     return project_round(e.x, e.y, t->shift, reach, out);
 }
 

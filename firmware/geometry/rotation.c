@@ -52,17 +52,13 @@ void matrix_apply_transposed(const struct matrix *m, const int32_t v[3], int32_t
         out[i] = round_q60(fx_s64(m->m[0][i]) * v[0] + fx_s64(m->m[1][i]) * v[1] + fx_s64(m->m[2][i]) * v[2]);
 }
 
-/* 1/sqrt of a squared length: r * 2^-e with r in Q31; refined once beyond the table's 16 bits. */
+/* 1/sqrt of a squared length, at least 2^30: r * 2^-e with r in Q31; refined once beyond the table's 16 bits. */
 static uint32_t inverse_length(uint64_t squared, int *exponent)
 {
     int shift = 0; /* squared = m * 2^(2 shift), m in [2^30, 2^32) */
     while (squared >= UINT64_C(1) << 32) {
         squared >>= 2;
         shift++;
-    }
-    while (squared < UINT64_C(1) << 30) {
-        squared <<= 2;
-        shift--;
     }
     uint32_t m = fx_u32(squared), r = fx_rsqrt_norm(m);
     /* Newton: r' = r (3 - v r^2) / 2, v = m / 2^30 in [1, 4), v r^2 near 1: kept in Q30. */
@@ -74,19 +70,20 @@ static uint32_t inverse_length(uint64_t squared, int *exponent)
     return r;
 }
 
-/* v scaled to length 1 in Q30; `terms` up to 4, |v| components below 2^31 and not all 0. */
+/* v scaled to length 1 in Q30; `terms` up to 4, |v| components below 2^31, |v| at least 2^28: squared from 2^54 on. */
 static void normalise(const int32_t *v, int terms, q30_t *out)
 {
     uint64_t squared = 0;
     for (int i = 0; i < terms; i++)
         squared += fx_u64(fx_s64(v[i]) * v[i]) >> 2; /* four squares of 2^62 would not fit: a quarter of each */
     int exponent;
-    uint32_t r = inverse_length(squared ? squared : 1, &exponent);
-    /* sqrt(squared) = |v| / 2 = 2^(15 + exponent) * sqrt(m / 2^30): v / |v| = v * r / 2^31 / 2^(16 + exponent). */
+    uint32_t r = inverse_length(squared, &exponent);
+    /* sqrt(squared) = |v| / 2 = 2^(15 + exponent) * sqrt(m / 2^30): v / |v| = v * r / 2^31 / 2^(16 + exponent);
+     * exponent is at least 11. */
     int down = 31 + 16 + exponent - 30;
     for (int i = 0; i < terms; i++) {
         int64_t x = fx_s64(v[i]) * r;
-        out[i] = fx_s32(down > 0 ? (x + (INT64_C(1) << (down - 1))) >> down : x * (INT64_C(1) << -down));
+        out[i] = fx_s32((x + (INT64_C(1) << (down - 1))) >> down);
     }
 }
 
@@ -159,7 +156,7 @@ static struct pose pose_between(const struct scene_key *a, const struct scene_ke
     int32_t q[4];
     for (int i = 0; i < 4; i++)
         q[i] = mix(a->rotation[i], dot < 0 ? -b->rotation[i] : b->rotation[i], t);
-    normalise(q, 4, p.rotation.q);
+    normalise(q, 4, p.rotation.q); /* of unit ones less than a right angle apart: at least 2^30 / sqrt(2) long */
     for (int i = 0; i < 3; i++)
         p.position[i] = mix(a->position[i], b->position[i], t);
     p.scale = mix(a->scale, b->scale, t);

@@ -15,13 +15,11 @@ static int64_t magnitude(int64_t x)
     return x < 0 ? -x : x;
 }
 
-/* x * 2^-down, rounded to nearest; down < 0 multiplies. */
+/* x * 2^-down, rounded to nearest; down < 0 multiplies. |down| <= 62. */
 FX_COLD static int64_t scaled(int64_t x, int down)
 {
     if (down <= 0)
         return x * (INT64_C(1) << -down);
-    if (down > 62)
-        return 0;
     return (x + (INT64_C(1) << (down - 1))) >> down;
 }
 
@@ -132,7 +130,7 @@ int transform_setup(struct transform *out, const struct view *view, const struct
     int side_bits = bits(fx_u64(side + radius)) - 24 + 31 - view->focal_exponent;
     int xy_exponent = 29 - side_bits;
     struct axis *const row[3] = {&out->x, &out->y, &out->z};
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0;; i++) {
         int64_t coefficient[3], sign = i ? -1 : 1; /* y grows downwards on the screen, z away from the eye */
         for (int j = 0; j < 3; j++) {              /* Q30 * 31 bits: 2^61 */
             int64_t c = scaled(fx_s64(to_eye->m[i][j]) * extent, i < 2 ? 31 : 30);

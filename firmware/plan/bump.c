@@ -58,7 +58,7 @@ void plan_bump_light(struct plan_bump *plan, const struct plan_surface *s, unsig
         }
         const uint32_t k = curve.bend, sum = (k + bend[which][0] + bend[which][1] + bend[which][2] + 3) / 4,
                        three_s = (sum > k * 3 / 4 ? sum : k * 3 / 4) + 1;
-        const uint32_t far = plan_bump_distance(k), along = plan_bump_length(three_s < CURVE_MOST_BEND ? three_s : k);
+        const uint32_t far = plan_bump_distance(k), along = plan_bump_length(three_s); /* CURVE_MOST_BEND + 1 at most */
         if (shift) { /* chords are 2 sqrt(k), and directions move by 1 / |V| of what V does */
             across = (fx_root(k << 16) * 2 * (shift >> 2) >> 14) + 2; /* 2^16.5 * 2^14 */
             across += (across >> 2) * (curve.stretch >> 2) >> 11;
@@ -69,8 +69,8 @@ void plan_bump_light(struct plan_bump *plan, const struct plan_surface *s, unsig
             plan->quadratic += scaled(coefficient[0], far + across);
             continue;
         }
-        const uint32_t shorter = curve.stretch << 15, /* Q30: stretch is a little more than r */
-            kept = shorter < 1u << 30 ? fx_power(s->power, fx_s32((1u << 30) - shorter)) : 0;
+        const uint32_t shorter = curve.stretch << 15, /* Q30, below 2^29.6: stretch is a little more than r */
+            kept = fx_power(s->power, fx_s32((1u << 30) - shorter));
         plan->linear += scaled(coefficient[1], 2 * (32768 - kept) + drift + 256); /* the table is off by .5 / 255 */
         const uint32_t longer = n * (along + (far * far >> 17) + 1),              /* 2^10 * 2^13 */
             grown = longer < 1u << 15 ? longer + (longer * longer >> 16) + 1 : 1u << 16;

@@ -35,7 +35,7 @@ void plan_bump_light(struct plan_bump *plan, const struct plan_surface *s, unsig
 /* The cheapest that keeps the surface's budget, and *error what a pixel can then be off by. */
 enum plan_bump_kind plan_bump_choose(const struct plan_bump *plan, const struct plan_surface *s, uint16_t *error);
 
-/* The bounds of the quadratic, Q16, at a k in Q16 of at most CURVE_MOST_BEND: E, and R. */
+/* The bounds of the quadratic, Q16, at a k in Q16 of at most CURVE_MOST_BEND and a step: E, and R. */
 uint32_t plan_bump_distance(uint32_t k);
 uint32_t plan_bump_length(uint32_t k);
 

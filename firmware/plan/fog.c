@@ -7,7 +7,7 @@
 #define LOG2_E   3098164009u /* 1 / ln 2 in Q31 */
 #define THINNEST 13
 
-/* A positive number, m 2^-down with m in [2^31, 2^32); 0 as the least there is. */
+/* A positive number, m 2^-down with m in [2^31, 2^32). */
 struct scaled {
     uint32_t m;
     int down;
@@ -15,8 +15,6 @@ struct scaled {
 
 FX_COLD static struct scaled scaled_of(uint64_t x, int down)
 {
-    if (!x)
-        return (struct scaled){1u << 31, 96};
     for (; x >> 32 == 0; down++)
         x <<= 1;
     for (; x >> 32; down--) /* at most 31 bits go */
@@ -39,8 +37,8 @@ static int32_t fitted(uint32_t x, int down)
 {
     if (down >= 32)
         return 0;
-    if (down < 0) /* x is 0 or at least 2^30 where this is called */
-        return x ? MOST : 0;
+    if (down < 0) /* x is at least 2^30 then: orthographic A is at most 2^-2 */
+        return MOST;
     x >>= down;
     return x > MOST ? MOST : fx_s32(x);
 }
@@ -118,14 +116,21 @@ FX_COLD static uint16_t error_of(const struct fog *fog, struct scaled a)
     return fx_u16(error > 65535 ? 65535 : error);
 }
 
+/* u a unit of exponential fog. In orthographic views B, u behind all, is below 2^14. */
+FX_COLD static struct scaled density_of(const struct fog *fog, const struct scene_header *scene)
+{
+    const uint64_t most = fx_divide_u64(UINT64_C(177) << 46, fx_u32(scene->camera.far_plane)); /* 177/256 < ln 2 */
+    const uint32_t density = scene->fog.density;
+    return product(scaled_of(fog->divides || density < most ? density : most, 24), (struct scaled){LOG2_E, 31});
+}
+
 /* thickness: of linear fog. */
 FX_COLD static struct scaled scale_of(const struct fog *fog, const struct scene_header *scene, uint32_t thickness)
 {
     const struct scene_camera *camera = &scene->camera;
     const struct scaled depths = scaled_of(DEPTHS, 0);
-    const struct scaled per_unit = fog->kind == FOG_LINEAR
-                                       ? quotient(scaled_of(1, 0), scaled_of(thickness, 16))
-                                       : product(scaled_of(scene->fog.density, 24), (struct scaled){LOG2_E, 31});
+    const struct scaled per_unit =
+        fog->kind == FOG_LINEAR ? quotient(scaled_of(1, 0), scaled_of(thickness, 16)) : density_of(fog, scene);
     if (fog->divides)
         return product(product(scaled_of(fx_u32(camera->near_plane), 16), depths), per_unit);
     return product(quotient(scaled_of(fx_u32(camera->far_plane - camera->near_plane), 16), depths), per_unit);
@@ -150,8 +155,7 @@ FX_COLD void fog_begin(struct fog *fog, const struct scene_header *scene)
         const int64_t to_far = fog->divides ? from->from : fx_s64(far) - from->from;
         fog->offset = fx_s32(fx_divide_s64(to_far * ONE, thickness));
     } else if (!fog->divides) {
-        fog->offset =
-            q16_of(product(scaled_of(far, 16), product(scaled_of(from->density, 24), (struct scaled){LOG2_E, 31})));
+        fog->offset = q16_of(product(scaled_of(far, 16), density_of(fog, scene)));
     }
     fog->error = error_of(fog, a);
     fog->clear = first_depth(fog, 0);

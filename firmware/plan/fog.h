@@ -40,7 +40,8 @@ struct fog {
 };
 
 /* The fog of a checked scene. One so thin that it is thinner than 2^-13 of `from`, in orthographic views of the far
- * plane's distance, is taken for that thick. */
+ * plane's distance, is taken for that thick; one that grows so fast that u passes 2^14 before an orthographic far
+ * plane, for one that comes to as much there. */
 void fog_begin(struct fog *fog, const struct scene_header *scene);
 
 /* The fog's part in Q16, 0..65536, at a depth times 2^16 (a depth channel's value). */

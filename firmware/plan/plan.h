@@ -76,7 +76,8 @@ uint32_t plan_shift(const int16_t *const place[3]);
 /* Plans a triangle under far lights within the surface's budget. */
 void plan_triangle(struct shade_plan *plan, const struct plan_surface *surface, const struct plan_triangle *triangle);
 
-/* The same for any number of lights and in perspective: what plan_triangle() calls where it has no short cut. */
+/* The same in perspective and for any number of lights but one: what plan_triangle() calls where it has no short cut.
+ */
 void plan_several(struct shade_plan *plan, const struct plan_surface *surface, const struct plan_triangle *triangle);
 
 /* Makes a plan compute what is hidden all the same, of the first light: which loop draws depends on whether others

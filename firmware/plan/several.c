@@ -206,8 +206,7 @@ static void take_phong(const struct work *w, struct shade_plan *plan)
     if (total > w->s->budget && w->t->shift <= DUFF_MOST_SHIFT)
         total = weights_error(w);
     plan->rung = PLAN_DUFF;
-    if (total > w->s->budget || w->s->sharp || !w->curve.lines ||
-        (!w->t->shift && w->curve.sum > w->s->duff_sum)) /* in perspective Phong goes by runs, too */
+    if (total > w->s->budget || w->s->sharp || !w->curve.lines) /* Phong, too, goes by runs: no duff_sum */
         plan->rung = PLAN_PHONG;
     for (unsigned i = 0; i < w->parts; i++)
         *(w->part[i].highlight ? &plan->specular : &plan->diffuse) |= fx_u8(1u << w->part[i].light);

@@ -79,9 +79,8 @@ static void refine(const struct search *s, const uint16_t ends[2][3], int a, int
     if (is_below(s, from, 0) == is_below(s, across, 0))
         return; /* the curve leaves the triangle between: the straight guess stands */
     solve(s, from, across, 0, on);
-    const uint16_t *end = ends[is_below(s, on, 1) == is_below(s, ends[0], 1)];
-    if (is_below(s, on, 1) != is_below(s, end, 1))
-        solve(s, on, end, 1, weight);
+    /* the end on the other side: Q and R are on different ones */
+    solve(s, on, ends[is_below(s, on, 1) == is_below(s, ends[0], 1)], 1, weight);
 }
 
 enum summit_place summit_find(const struct object_state *object, unsigned light,

@@ -83,7 +83,7 @@ static void shade_run(struct raster *r, int x, int y, int n)
     const struct shade_row_end *left = &rows->end[LEFT], *right = &rows->end[RIGHT];
     for (int i = 0; i < n; i++) {
         const int32_t at = (16 * (x + i) + 8 - 8 * r->width) * 256 - left->x;
-        const uint32_t part = at < 0 ? 0 : fx_u32(at) > rows->width ? rows->width : fx_u32(at);
+        const uint32_t part = fx_u32(at) > rows->width ? rows->width : fx_u32(at);
         const q30_t s = fx_s32(fx_mulhi_u32(part << rows->up, rows->inverse) >> 1);
         const q30_t bow = times_q30(s, Q30(1, 1) - s);
         for (int c = 0; c < 3; c++) /* Q28: at most (7/6)^2 */

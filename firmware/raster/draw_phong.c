@@ -11,8 +11,7 @@ static int phong_direct(const struct raster *r)
 {
     const uint16_t *bend = r->input.triangle->bend;
     return surface_fold(&r->surface) && surface_lights(&r->surface) == 1 && !object_local(r->input.object) &&
-           !r->setup.depth.exact && !r->setup.channel[0].exact && bend[0] <= SHORT_BEND && bend[1] <= SHORT_BEND &&
-           bend[2] <= SHORT_BEND;
+           !r->setup.depth.exact && bend[0] <= SHORT_BEND && bend[1] <= SHORT_BEND && bend[2] <= SHORT_BEND;
 }
 
 static uint32_t draw(struct raster *r, struct edges *e)

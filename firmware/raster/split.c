@@ -34,8 +34,8 @@ static void find_corners(const struct uv_corners *whole, const struct piece *pie
     }
 }
 
-/* What a channel over a part is made of: values from corner 0's on, in Q14 of 2^14 at most, and bulges in Q28, which of
- * differences up to 2^13 are at most 2^28; both times 2^up. */
+/* What a channel over a part is made of: values from corner 0's on, in Q14 of 2^13 at most, and bulges in Q28, which of
+ * differences up to 2^13 are at most 2^28; of the edge 1-2, with twice the difference, 2^29; both times 2^up. */
 struct terms {
     int32_t value[3], bulge[3];
     int up;
@@ -161,11 +161,10 @@ uint32_t split_draw(struct raster *r, struct edges *e, runs_shade *shade)
         if (shows(r, place)) {
             const int bad = errs(r, &piece);
             more = bad && depth < SPLIT_DEPTH && part_height(place) >= LEAST_HEIGHT;
-            if (!more && fine_setup(e, place, r->width, r->height, r->y0, r->y1)) {
+            if (!more) {
                 set_part(r, &piece, bad);
-                do
+                for (int32_t row = r->y0; fine_setup(e, place, r->width, r->height, row, r->y1); row = e->last)
                     drawn += effects_draw(r, e, shade);
-                while (fine_setup(e, place, r->width, r->height, e->last, r->y1));
             }
         }
         if (more) {

@@ -124,10 +124,11 @@ uint16_t table_error(const struct raster *r)
     const unsigned colours = raster_is(r, GLINT_RGB565), down = s->power->octave + (colours ? 8u : TABLE_BITS + 1u);
     uint32_t most = 0;
     for (unsigned c = 0; r->surface_table && c < surface_channels(s); c++) {
-        const uint32_t top = r->palette.top[c]; /* at most 255 * 2^8 each, n < 2^10: below 2^26 */
+        /* at most 2^8 each of what is over top; n < 2^10: below 2^26, and n 2^-octave < 12.5: below 2^12 in all */
+        const uint32_t top = r->palette.top[c];
         const uint32_t error = (colours ? 3u * s->light[0].diffuse[c] / top : 0) +
                                ((255u * s->light[0].specular[c] / top * s->power->exponent) >> down) + 1;
         most = error > most ? error : most;
     }
-    return fx_u16(most < 65535 ? most : 65535);
+    return fx_u16(most);
 }

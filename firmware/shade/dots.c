@@ -49,7 +49,7 @@ void dots_bulges(const int32_t corner[3], const int32_t middle[3], const struct 
 {
     for (int k = 0; k < 3; k++) {
         int32_t sum = corner[k] + corner[k == 2 ? 0 : k + 1];
-        /* |sum| <= 2^15, |m D| <= 2^15 (1 + 2^-4) as D shrinks where m grows, Q30: below 2^32 before the difference */
+        /* |sum| <= 2^15, |m D| <= 2^15 (1 + 2^-3): D shrinks where m grows, but for what bends are off; Q30, < 2^32 */
         int64_t bulge = fx_s64(sum) * (1 << 15) - ((fx_s64(middle[k]) * factors->edge[k]) >> 1);
         out[k] = bulge > INT32_MAX ? INT32_MAX : bulge < -INT32_MAX ? -INT32_MAX : fx_s32(bulge);
     }

@@ -41,8 +41,9 @@ int part_linear(struct shade_setup *setup, const struct shade_input *in, const s
 
 /*
  * A quadratic of any kind over the part of three corners: values in Q14 and bulges in Q28 as plane_quadratic() takes
- * them, the channel's times 2^up modulo 2^32 (up >= -8). Returns 0, and leaves it, where the part is lower than 2
- * pixels or too thin.
+ * them, that of the edge 1-2 to 2^29, as no height is below 2 pixels: second differences stay within 2^30. The
+ * channel's are times 2^up modulo 2^32 (up >= -8). Returns 0, and leaves it, where the part is lower than that or too
+ * thin.
  */
 int part_channel(const struct shade_setup *setup, const struct shade_input *in,
                  const struct part_corner *const corner[3], const int32_t value[3], const int32_t bulge[3], int up,

@@ -29,11 +29,6 @@ void perspective_linear(const struct perspective *p, const struct plane *plane, 
     plane_linear_wide(plane, numerator, channel);
 }
 
-static int32_t saturated(int64_t x)
-{
-    return x > INT32_MAX ? INT32_MAX : x < INT32_MIN ? INT32_MIN : fx_s32(x);
-}
-
 /* sum Vi li (sum li) - sum Bij li lj has Vi + Vj - Bij before li lj: Vi = Ii si^2, Bij = Vi + Vj - (Ii + Ij - aij) si
  * sj.
  */
@@ -44,11 +39,13 @@ void perspective_numerator(const struct perspective *p, const int32_t value[3], 
         uint32_t square = fx_u32(p->s[k]) * p->s[k];
         v[k] = fx_s32((fx_s64(value[k]) * square) >> 16);
     }
-    for (int k = 0; k < 3; k++) { /* |Ii + Ij - aij| < 2^3 in Q28, times Q32: below 2^63 */
+    /* |Ii + Ij - aij| < 2^3 in Q28, times Q32: below 2^63. With si >= sj and |I| <= 2^29, |aij| <= 2^31 in Q28, |Bij|
+     * is below (si^2 - sj^2) 2^29 + si sj 2^31, which sj = si has most of: less than 2^31 - 2^15. */
+    for (int k = 0; k < 3; k++) {
         int j = k == 2 ? 0 : k + 1;
         int64_t middle = fx_s64(value[k] + value[j]) * (1 << 14) - bulge[k];
         uint32_t product = fx_u32(p->s[k]) * p->s[j];
-        b[k] = saturated(((fx_s64(v[k]) + v[j]) >> 2) - fx_s64((middle * fx_s64(product >> 1)) >> 31));
+        b[k] = fx_s32(((fx_s64(v[k]) + v[j]) >> 2) - fx_s64((middle * fx_s64(product >> 1)) >> 31));
     }
 }
 

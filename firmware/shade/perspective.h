@@ -31,7 +31,7 @@ int perspective_setup(struct perspective *p, const struct shade_input *in);
 void perspective_linear(const struct perspective *p, const struct plane *plane, const int32_t value[3],
                         struct channel *channel);
 
-/* Q's own corner values, Q30, and bulges, Q28, of a quadratic's: values in Q14, bulges in Q28. */
+/* Q's own corner values, Q30, and bulges, Q28, of a quadratic's: values in Q14, |v| <= 2^15, bulges in Q28, any. */
 void perspective_numerator(const struct perspective *p, const int32_t value[3], const int32_t bulge[3], int32_t v[3],
                            int32_t b[3]);
 

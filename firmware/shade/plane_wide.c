@@ -123,9 +123,9 @@ static int32_t exact_value(const struct plane *plane, const struct channel *chan
     int32_t det = fx_s32(plane->det);
     nu = nu < 0 ? 0 : nu > det ? det : nu;
     nv = nv < 0 ? 0 : nv > det - nu ? det - nu : nv;
-    uint32_t u = fx_mulhi_u32(fx_u32(nu) << plane->up, plane->r) >> 15; /* n / det in Q31, then Q16: <= 65536 */
+    /* n / det in Q31, then Q16: together at most 65536 and 2^-14, and so at most 65536. */
+    uint32_t u = fx_mulhi_u32(fx_u32(nu) << plane->up, plane->r) >> 15;
     uint32_t v = fx_mulhi_u32(fx_u32(nv) << plane->up, plane->r) >> 15;
-    v = u + v > 65536 ? 65536 - u : v;
     uint32_t w = 65536 - u - v;
     /* Corner values differ by less than 2^16; the true sum fits, the products are modulo 2^32. Weights' products are
      * Q32, at most 2^30. */

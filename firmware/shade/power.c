@@ -11,12 +11,10 @@ static void run_exact(unsigned n, int32_t *value, int count)
 
 const struct glint_power glint_power_exact = {run_exact, 0, 0, 0};
 
-/* v in Q30 to its 2^squarings-th power in Q15; 0 below 0, 1 above 1. A square rounded to 16 bits errs by 2^-17, which
+/* v > 0 in Q30 to its 2^squarings-th power in Q15; 1 above 1. A square rounded to 16 bits errs by 2^-17, which
  * each later one at most doubles: in all below 2^-12. */
 static inline __attribute__((always_inline)) int32_t squared(int32_t v, int squarings)
 {
-    if (v <= 0)
-        return 0;
     if (v >= (1 << 30) - (1 << 13))
         return 32768;
     uint32_t p = (fx_u32(v) + (1u << 13)) >> 14; /* at most 0xffff */
@@ -25,7 +23,8 @@ static inline __attribute__((always_inline)) int32_t squared(int32_t v, int squa
     return fx_s32((p + 1) >> 1);
 }
 
-/* g = 2^squarings. Only 1 - s < min(1, g / n) gives more than 0, so that n (1 - s) / 16 is below 2^30. */
+/* g = 2^squarings. Only 1 - s < min(1, g / n) gives more than 0: then n (1 - s) / g is below 2^30, as reach is a
+ * multiple of 16 that n / g takes to 2^30 at most. */
 static inline __attribute__((always_inline)) void run_free(unsigned n, int32_t *value, int count, int squarings)
 {
     const uint32_t one = 1u << 30, reach = n >> squarings ? (one >> 4) / n << (squarings + 4) : one;

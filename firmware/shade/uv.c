@@ -93,8 +93,6 @@ void uv_setup_corners(struct shade_setup *setup, const struct uv_corners *uv, un
 void uv_setup(struct shade_setup *setup, const struct shade_input *in, unsigned kind)
 {
     struct uv_corners uv;
-    if (setup->uv_kind)
-        return;
     uv_corners(&uv, in);
     uv_setup_corners(setup, &uv, kind);
 }

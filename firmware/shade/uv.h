@@ -49,7 +49,7 @@ static inline int32_t uv_bulge(int64_t difference, int32_t ratio)
  * thin for a quadratic, and what is left of `split` and of the default, perspective. */
 void uv_setup_corners(struct shade_setup *setup, const struct uv_corners *uv, unsigned kind);
 
-/* The same from the input; idle where it has been done. */
+/* The same from the input. */
 void uv_setup(struct shade_setup *setup, const struct shade_input *in, unsigned kind);
 
 #endif

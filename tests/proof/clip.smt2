@@ -5,7 +5,6 @@
 ; code: uint64_t span = fx_u64(d0 - d1), part = fx_u64(d0); /* d0 >= 0 > d1, both below 2^61 in size */ while (span >= UINT64_C(1) << 32) { span >>= 1; part >>= 1; } uint32_t t = fx_u32(fx_divide_u64(part << 31, span)); result->eye.x = mix(in->eye.x, out->eye.x, t);
 ; code: if ((da < 0) != (db < 0) && to->count < CLIP_MAX_CORNERS) { if (da >= 0) cut(a, da, b, db, &to->corner[to->count++]); else cut(b, db, a, da, &to->corner[to->count++]);
 ; shows: mix: postcondition: between: (\old(a) ≤ \result ≤ \old(b)) ∨ (\old(b) ≤ \result ≤ \old(a))
-; shows: cut: precondition of fx_divide_u64: d > 0
 ; shows: cut: precondition of mix: share: t_q31 ≤ 0x80000000
 ; a b >= 0 of a, b >= 0: what a solver of linear arithmetic is told of products
 (define-fun product ((a Int) (b Int)) Bool (=> (and (>= a 0) (>= b 0)) (>= (* a b) 0)))

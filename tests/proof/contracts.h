@@ -20,6 +20,10 @@ uint32_t fx_rsqrt_norm(uint32_t m);
     ensures quotient: \result == n / d; */
 uint64_t fx_divide_u64(uint64_t n, uint64_t d);
 
+/*@ assigns \result \from x_q16;
+    ensures \result <= 65536; */
+uint32_t fx_exp2_minus(uint32_t x_q16);
+
 /*@ requires 1 <= bits && bits + down < 32;
     assigns \result \from x, bits, down;
     ensures \result < (1 << bits); */

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * shade/dots.c: length factors of any bend, samples and bulges of any corners under near lights and far ones, and what
- * their roundings can do to a highlight. object_light_at() is any pair of vectors here, interpolate() and dots_setup()
- * are not proven.
+ * their roundings can do to a highlight. object_light_at() is any pair of vectors here.
  *
  *   proves: dots_length_factor dot dots_sample dots_bulges stretched dots_quadratic dots_bulge_bend
  *           dots_highlight_slack dots_wide dots_deep bounds_power_floor
@@ -14,6 +13,7 @@
 
 #include "contracts.h"
 #include "planes.h"
+#include "samples.h"
 
 /*@ requires \valid_read(plane) && \valid_read(value + (0 .. 2)) && \valid_read(bulge + (0 .. 2)) && \valid(channel);
     assigns *channel \from *plane, value[0 .. 2], bulge[0 .. 2]; */
@@ -59,7 +59,7 @@ static void samples(void)
     any_bytes(vertex, sizeof vertex);
     for (int k = 0; k < 3; k++) {
         vector(vertex[k].normal);
-        factors.edge[k] = any_u32(1 << 16, 1 << 20);
+        factors.edge[k] = any_u32(0, 1 << 20);
         for (unsigned i = 0; i < 2 * SCENE_MAX_LIGHTS; i++)
             lights[k][i] = any_s32(-16388, 16388);
     }

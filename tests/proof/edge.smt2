@@ -93,7 +93,7 @@
 (declare-const left (_ BitVec 32))
 (declare-const add (_ BitVec 32))
 (define-fun sum () (_ BitVec 32) (bvadd left add))
-(assert (and (bvule #x00000010 divisor) (bvule divisor #x00080000) (bvult add divisor) (bvuge left (bvneg divisor))))
+(assert (and (bvule #x00000001 divisor) (bvule divisor #x40000000) (bvult add divisor) (bvuge left (bvneg divisor))))
 (assert (not (bvuge (ite (bvsge sum #x00000000) (bvsub sum divisor) sum) (bvneg divisor))))
 (check-sat)
 (pop)

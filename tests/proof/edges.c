@@ -21,10 +21,10 @@
 static void any_edge(struct edge *e)
 {
     e->column = ANY_S32;
-    e->column_step = any_s32(-0x8000, 0x8000);
-    e->den = any_s32(16, 0x80000);
-    e->rest = any_s32(0, 0x7ffff);
-    e->rest_step = any_s32(0, 0x7ffff);
+    e->column_step = any_s32(-(1 << 30), 1 << 30);
+    e->den = any_s32(1, 1 << 30);
+    e->rest = any_s32(0, (1 << 30) - 1);
+    e->rest_step = any_s32(0, (1 << 30) - 1);
 }
 
 static void spans(int last, int middle, int turned)

@@ -44,14 +44,14 @@ static inline void fx_divmod_floor_narrow(int32_t num, int32_t den, int32_t *quo
     ensures further: e->column_step * e->den + e->rest_step == 16 * dx; */
 static inline void edge_setup(struct edge *e, int32_t x, int32_t y, int32_t dx, int32_t dy, int32_t centre);
 
-/*@ requires divisor: 16 <= e->den <= 0x80000;
+/*@ requires divisor: 1 <= e->den <= 0x40000000;
     requires more: 0 <= e->rest_step < e->den;
     requires negative: 0x100000000 - e->den <= *rest;
     requires apart: \valid(column) && \valid(rest) && \separated(column, rest, e);
     assigns *column \from *column, *rest, *e;
     assigns *rest \from *rest, *e;
     ensures negative: 0x100000000 - e->den <= *rest;
-    ensures small: 0xfff80000 <= *rest; */
+    ensures small: 0xc0000000 <= *rest; */
 static inline void step(uint32_t *column, uint32_t *rest, const struct edge *e);
 
 #endif

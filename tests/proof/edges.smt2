@@ -90,7 +90,7 @@
 ; An edge keeps rest within [0, den) between rows(): less den it is negative, which a step keeps, and den is added again.
 (declare-const den (_ BitVec 32))
 (declare-const rest (_ BitVec 32))
-(assert (and (bvule #x00000010 den) (bvule den #x00080000)))
+(assert (and (bvule #x00000001 den) (bvule den #x40000000)))
 (push)
 (assert (and (bvult rest den) (not (bvuge (bvsub rest den) (bvneg den)))))
 (check-sat)

@@ -5,33 +5,35 @@
 ; source: tests/tools/prove_bounds.py
 ; code: goals = [("fx_recip_norm: within 2^-30.44, above by 2^-30.66 at most",
 ; source: firmware/shade/plane_wide.c
-; code: int32_t det = fx_s32(plane->det); nu = nu < 0 ? 0 : nu > det ? det : nu; nv = nv < 0 ? 0 : nv > det - nu ? det - nu : nv; uint32_t u = fx_mulhi_u32(fx_u32(nu) << plane->up, plane->r) >> 15; /* n / det in Q31, then Q16: <= 65536 */ uint32_t v = fx_mulhi_u32(fx_u32(nv) << plane->up, plane->r) >> 15; v = u + v > 65536 ? 65536 - u : v; uint32_t w = 65536 - u - v;
+; code: int32_t det = fx_s32(plane->det); nu = nu < 0 ? 0 : nu > det ? det : nu; nv = nv < 0 ? 0 : nv > det - nu ? det - nu : nv; /* n / det in Q31, then Q16: together at most 65536 and 2^-14, and so at most 65536. */ uint32_t u = fx_mulhi_u32(fx_u32(nu) << plane->up, plane->r) >> 15; uint32_t v = fx_mulhi_u32(fx_u32(nv) << plane->up, plane->r) >> 15; uint32_t w = 65536 - u - v;
 ; code: fx_wrap_shl(fx_wrap_u32(fx_mulhi_s32(value[0], fx_s32(w << 14)) + fx_mulhi_s32(value[1], fx_s32(u << 14)) + fx_mulhi_s32(value[2], fx_s32(v << 14))), 2);
 ; code: int32_t bend = fx_mulhi_s32(bulge[0], fx_s32(w * u)) + fx_mulhi_s32(bulge[1], fx_s32(u * v)) + fx_mulhi_s32(bulge[2], fx_s32(v * w));
 ; shows: exact_value: signed_overflow: (int32_t)(tmp_3 + tmp_4) + tmp_5 ≤ 2147483647
 ; shows: exact_value: signed_overflow: -2147483648 ≤ (int32_t)(tmp_3 + tmp_4) + tmp_5
+; shows: exact_value: signed_overflow: tmp_6 + tmp_7 ≤ 2147483647
 ; shows: exact_value: signed_overflow: (int32_t)(tmp_6 + tmp_7) + tmp_8 ≤ 2147483647
 ; shows: exact_value: signed_overflow: -2147483648 ≤ (int32_t)(tmp_6 + tmp_7) + tmp_8
 (define-fun product ((a Int) (b Int)) Bool (=> (and (>= a 0) (>= b 0)) (>= (* a b) 0)))
 
-; n / det in Q16, of n in [0, det]; moved = n << up, m = det << up, r at most 2^63 / m (1 + 2^-30).
+; n / det in Q16, of two n that are in [0, det] together; nu, nv = n << up, m = det << up, r at most 2^63 / m (1 + 2^-30).
 (push)
-(declare-const moved Int)
+(declare-const nu Int)
+(declare-const nv Int)
 (declare-const m Int)
 (declare-const r Int)
-(assert (and (<= 0 moved m) (<= 2147483648 m 4294967295) (<= 0 r 4294967295)))
+(assert (and (<= 0 nu) (<= 0 nv) (<= (+ nu nv) m) (<= 2147483648 m 4294967295) (<= 0 r 4294967295)))
 (assert (<= (* m r) (+ 9223372036854775808 8589934592)))
-(assert (and (product (- m moved) r) (product moved r)))
-(assert (not (<= 0 (div (div (* moved r) 4294967296) 32768) 65536)))
+(assert (and (product (- m nu nv) r) (product nu r) (product nv r)))
+(define-fun weight ((n Int)) Int (div (div (* n r) 4294967296) 32768))
+(assert (not (and (<= 0 (weight nu)) (<= 0 (weight nv)) (<= (+ (weight nu) (weight nv)) 65536))))
 (check-sat)
 (pop)
 
-; The third weight, and the second where roundings leave it too much.
+; The third weight.
 (declare-const u Int)
-(declare-const most_v Int)
-(define-fun v () Int (ite (> (+ u most_v) 65536) (- 65536 u) most_v))
+(declare-const v Int)
 (define-fun w () Int (- 65536 u v))
-(assert (and (<= 0 u 65536) (<= 0 most_v 65536)))
+(assert (and (<= 0 u) (<= 0 v) (<= (+ u v) 65536)))
 (push)
 (assert (not (and (<= 0 v 65536) (<= 0 w 65536) (= (+ u v w) 65536))))
 (check-sat)

@@ -40,7 +40,7 @@ void prove(void)
     surface.channels = any_flag() ? 1 : 3;
     for (int k = 0; k < 3; k++) {
         value[k] = any_s32(-(1 << 14) - (1 << 11), (1 << 14) + (1 << 11));
-        bulge[k] = any_s32(-(1 << 28), 1 << 28);
+        bulge[k] = k == 1 ? any_s32(-(1 << 29), 1 << 29) : any_s32(-(1 << 28), 1 << 28);
         for (int i = 0; i < 3; i++) {
             place[k][i] = any_s32(-16384, 16384);
             part[k].colour[i] = any_u32(0, 65535);

@@ -61,7 +61,7 @@
 ; shows: part_quadratic: precondition of plane_quadratic: shift: plane->shift ≡ (plane->up - plane->scale) - 14
 ; shows: part_quadratic: precondition of plane_quadratic: far: plane->scale ≥ 0 ∨ plane->far ≢ 0
 ; shows: part_quadratic: precondition of plane_quadratic: slim: plane->slim ≡ 0
-; shows: part_quadratic: precondition of plane_quadratic: bulges: bulge(*(bulge + 0)) ∧ bulge(*(bulge + 1)) ∧ bulge(*(bulge + 2))
+; shows: part_quadratic: precondition of plane_quadratic: bulges: bulge(*(bulge + 0)) ∧ bulge(*(bulge + 2)) ∧ -0x20000000 ≤ *(bulge + 1) ≤ 0x20000000
 
 ; The set-up's origin is a pixel of the picture: with a part's corner, within 2^30 of each other.
 (push)

@@ -61,7 +61,7 @@ void prove(void)
         struct plane plane = any_part(scale);
         const int32_t linear[3] = {any_s32(0, 65535), any_s32(0, 65535), any_s32(0, 65535)};
         const int32_t value[3] = {any_value(), any_value(), any_value()};
-        const int32_t bulge[3] = {any_bulge(), any_bulge(), any_bulge()};
+        const int32_t bulge[3] = {any_bulge(), any_s32(-(1 << 29), 1 << 29), any_bulge()};
         //@ loop unroll 31;
         for (plane.shift = -13; plane.shift <= 17; plane.shift++)
             plane_linear(&plane, linear, &channel);

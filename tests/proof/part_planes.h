@@ -39,7 +39,7 @@ void plane_linear(const struct plane *plane, const int32_t value[3], struct chan
     requires slim: plane->slim == 0;
     requires far: plane->scale >= 0 || plane->far != 0;
     requires values: value(value[0]) && value(value[1]) && value(value[2]);
-    requires bulges: bulge(bulge[0]) && bulge(bulge[1]) && bulge(bulge[2]);
+    requires bulges: bulge(bulge[0]) && bulge(bulge[2]) && -0x20000000 <= bulge[1] <= 0x20000000;
     requires there: \valid(channel);
     assigns channel->exact, channel->p \from *plane, value[0 .. 2], bulge[0 .. 2];
     ensures set: \initialized(&channel->p);

@@ -79,4 +79,21 @@ static struct shape shape_of(const struct part_place p[3]);
     ensures least: \result == 0 || 4 * s->det >= \result * (0x2000 << (s->scale + 2)); */
 static int32_t height_of(const struct shape *s);
 
+/*@ requires box: \forall integer k; 0 <= k < 3 ==>
+             -0x20000000 <= p[k].x <= 0x20000000 && -0x20000000 <= p[k].y <= 0x20000000;
+    assigns \result \from p[0 .. 2];
+    ensures range: 0 <= \result <= 0x3ffff; */
+int32_t part_height(const struct part_place p[3]);
+
+/*@ predicate q14(int32_t v) = -0x4800 <= v <= 0x4800;
+    predicate q28(int32_t b) = -0x10000000 <= b <= 0x10000000; */
+
+/*@ requires values: q14(value[0]) && q14(value[1]) && q14(value[2]);
+    requires bulges: q28(bulge[0]) && q28(bulge[2]) && -0x20000000 <= bulge[1] <= 0x20000000;
+    requires up: -8 <= up < 32;
+    assigns \result, channel->exact, channel->p \from setup->plane, value[0 .. 2], bulge[0 .. 2], up; */
+int part_channel(const struct shade_setup *setup, const struct shade_input *in,
+                 const struct part_corner *const corner[3], const int32_t value[3], const int32_t bulge[3], int up,
+                 struct channel *channel);
+
 #endif

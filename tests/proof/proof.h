@@ -60,6 +60,13 @@ static inline int proof_clz(uint32_t x)
 #define __builtin_clz proof_clz
 #endif
 
+/* Whatever the program is made for. */
+#ifdef PROOF_ANY_USES
+#include "uses.h"
+#undef USES
+#define USES(effects) any_flag()
+#endif
+
 #define ANY_S32 any_s32(INT32_MIN, INT32_MAX)
 #define ANY_U32 any_u32(0, UINT32_MAX)
 

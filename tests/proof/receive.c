@@ -4,8 +4,8 @@
  * Between any two bytes its buffer may hold anything (which is more than its bytes can make of it) and the program may
  * have changed what it shows.
  *
- *   proves: receive_get32 receive_plausible receive_drop_first stream_receive remote_choose remote_hear
- *           remote_buttons
+ *   proves: receive_get32 receive_plausible receive_drop_first stream_receive remote_choose remote_do
+ *           remote_hear remote_buttons
  *   assumes: scene_crc32
  *   options: -eva-precision 3 -eva-split-return auto
  *            -eva-slevel-function stream_receive:1000 -eva-slevel-merge-after-loop stream_receive

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * shade/surface.c: any material under 0 to 8 lights of any colours, in grey and in colours of any depth, and what is
- * planned and shaded by it. surface_plan() is without alarm as well: that this program has textures is a constant, one
- * branch is never taken.
+ * planned and shaded by it; planned in a program without textures as well.
  *
  *   proves: times luma to_steps surface_colour reflected find_bump weigh take_texture most_light surface_setup in_255
- *           roughness surface_shade surface_diffuse surface_power
+ *           roughness surface_plan surface_shade surface_diffuse surface_power
  *   assumes: fx_power
  *   options: -eva-precision 0 -eva-min-loop-unroll 3 -eva-slevel 60
  */
@@ -16,6 +15,14 @@
 /*@ requires \valid_read(table);
     assigns \result \from *table, s; */
 static inline uint32_t fx_power(const struct fx_power *table, q30_t s);
+
+#include "plan/curve.h"
+#include "shade/shade.h"
+
+/* What the program has: a constant of its own. */
+static uint32_t uses = USES_ALL;
+#undef GLINT_USES
+#define GLINT_USES uses
 
 #include "firmware/shade/surface.c"
 
@@ -67,6 +74,9 @@ static void surfaces(const struct palette *palette, const struct glint_power *fo
     intensities(scene.header.ambient);
     surface_colour(palette, scene.header.ambient, out);
     surface_setup(&surface, &scene.header, material, palette);
+    uses = USES_ALL & ~USES_TEXTURE;
+    surface_plan(&surface, palette, any_u32(0, 65535));
+    uses = USES_ALL;
     surface_plan(&surface, palette, any_u32(0, 65535));
     shade(&surface);
 }

@@ -3,10 +3,8 @@
  * Lines of text are cut off where they have no room, whatever is added to them in whatever order; letters of any bytes,
  * at any place, are drawn inside the rows of the band.
  *
- *   proves: text_put text_row text_draw text_add text_pad text_add_number text_add_angle
+ *   proves: text_put text_row text_draw text_add text_pad text_add_number text_add_angle text_glyph
  *   options: -eva-precision 3 -eva-slevel-function text_add:2000,add:2000,text_pad:2000
- *
- * text_glyph() is called with every letter; of a case that is but a constant Eva counts a statement too few.
  */
 #include "proof.h"
 

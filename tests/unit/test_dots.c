@@ -3,6 +3,7 @@
 #include "cover.h"
 #include "random.h"
 #include "shade/dots.h"
+#include "shade/piece.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -43,6 +44,39 @@ static void the_bulges_bring_back_the_samples(void **state)
             assert_true(fabs(sample - middle[k] * (factors.edge[k] / 131072.)) < .01);
         }
     }
+}
+
+/* Of corners that are all light, and of light that is behind in the middle: 2^31 and beyond. */
+static void bulges_that_32_bits_do_not_hold_are_saturated(void **state)
+{
+    (void)state;
+    for (int sign = -1; sign <= 1; sign += 2)
+        for (uint32_t factor = 65534; factor < 65540; factor++) {
+            const int32_t corner[3] = {sign * 16384, sign * 16384, sign * 16383};
+            const int32_t middle[3] = {sign * -32768, sign * -32767, sign * 32768};
+            const struct dots_factors factors = {.edge = {factor, factor, factor}, .stretch = 65536};
+            int32_t bulge[3];
+            dots_bulges(corner, middle, &factors, bulge);
+            for (int k = 0; k < 3; k++) {
+                const double ends = corner[k] + corner[(k + 1) % 3], exact = ends * 0x1p15 - middle[k] * (factor / 2.);
+                assert_true(fabs(bulge[k] - fmax(-INT32_MAX, fmin(exact, INT32_MAX))) < 1);
+            }
+        }
+}
+
+/* The weights' differences along the first edge are 1, -1/2, -1/2: 5/4 of the bulges. */
+static void bulges_of_a_piece_that_32_bits_do_not_hold_are_saturated(void **state)
+{
+    static const uint16_t weight[3][3] = {{0, 16384, 16384}, {32768, 0, 0}, {0, 32768, 0}};
+    (void)state;
+    for (int sign = -1; sign <= 1; sign += 2)
+        for (int32_t size = 1 << 28; size > 0 && size <= INT32_MAX;
+             size = (int32_t)(size * 1.1 < INT32_MAX ? size * 1.1 : -1)) {
+            int32_t value[3] = {0, 0, 0}, bulge[3] = {sign * -size, sign * size, sign * -size};
+            piece_quadratic(weight, value, bulge);
+            const double wanted = fmin(1.25 * size, INT32_MAX);
+            assert_true(fabs(bulge[0] * -(double)sign - wanted) < 16);
+        }
 }
 
 /* A triangle of corners at different distances, and a quadratic over it in space. */
@@ -136,6 +170,23 @@ static void check_depths(int nearest, int farthest, double most)
     assert_true(worst[0] < most && worst[1] < most && worst[1] > 0);
 }
 
+/* As near as a step from it: what is divided by W is never divided by 0. */
+static void a_corner_on_the_far_plane_is_a_step_before_it(void **state)
+{
+    struct shade_input in = {.divides = 1, .place = {places[0], places[1], places[2]}};
+    (void)state;
+    for (int on = 0; on < 3; on++)
+        for (int depth = DEPTH_FAR + 2; depth < DEPTH_NEAR; depth += depth / 2) {
+            struct perspective perspective;
+            for (int k = 0; k < 3; k++)
+                given.place[k][VERTEX_DEPTH] = (int16_t)(uint16_t)(k == on ? DEPTH_FAR : depth);
+            assert_int_equal(perspective_setup(&perspective, &in), 1);
+            assert_in_range(perspective.s[(on + 1) % 3], 1 << 15, 65535);
+            assert_int_equal(perspective.s[on], 1 << perspective.up);
+            assert_int_equal(perspective.s[(on + 1) % 3], (depth - DEPTH_FAR) << perspective.up);
+        }
+}
+
 static void numerators_over_the_depth_are_right_in_perspective(void **state)
 {
     (void)state;
@@ -149,6 +200,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_length_factor_is_one_over_the_root),
         cmocka_unit_test(the_bulges_bring_back_the_samples),
+        cmocka_unit_test(bulges_that_32_bits_do_not_hold_are_saturated),
+        cmocka_unit_test(bulges_of_a_piece_that_32_bits_do_not_hold_are_saturated),
+        cmocka_unit_test(a_corner_on_the_far_plane_is_a_step_before_it),
         cmocka_unit_test(numerators_over_the_depth_are_right_in_perspective),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The fog's part of a pixel against its formula, and the bounds by which a triangle's corners stand for its pixels. */
+/* The fog's part of a pixel against its formula, and the bounds by which a
+ * triangle's corners stand for its pixels. */
 #include "plan/fog.h"
 #include "random.h"
 #include "raster/fogged.h"
@@ -158,7 +159,8 @@ static double planned(const struct view_case *v, const struct fog_plan *plan, co
     return plan->kind == FOGGED_BY_PIXEL ? fog_part(&v->fog, (uint32_t)(between * 65536)) / 65536. : value;
 }
 
-/* Against the formula at the depth interpolated: the roundings of the depths themselves are fog.error's. */
+/* Against the formula at the depth interpolated: the roundings of the depths
+ * themselves are fog.error's. */
 static void a_plan_is_within_its_error(void **state)
 {
     static const uint32_t allowances[] = {0, 8, 64, 257, 2048, 16384};
@@ -267,7 +269,8 @@ static void what_is_left_out_cannot_show(void **state)
     }
 }
 
-/* What auto's plan may err by, as far as it shows, and what the fog does: together the budget. */
+/* What auto's plan may err by, as far as it shows, and what the fog does:
+ * together the budget. */
 static void the_budget_is_divided_not_passed(void **state)
 {
     static struct raster r;
@@ -304,7 +307,8 @@ static void fog_behind_the_far_plane_is_none(void **state)
     assert_int_equal(v.fog.kind, FOG_LINEAR);
 }
 
-/* From a wall of fog to the thinnest there is: no overflow, and still between nothing and all. */
+/* From a wall of fog to the thinnest there is: no overflow, and still between
+ * nothing and all. */
 static void extremes_are_drawn(void **state)
 {
     static const double nears[] = {1. / 256, 1, 32766}, fogs[][2] = {{0, 1. / 65536}, {0, 32767}, {32766, 32766.1}};
@@ -323,9 +327,42 @@ static void extremes_are_drawn(void **state)
                     assert_true(part <= before + 1 && part <= 65536);
                     before = part;
                 }
-                if (i == 0)
+                if (i == 0 || i == 3)
                     assert_int_equal(fog_part(&v.fog, DEPTH_FAR << 16), 65536);
             }
+}
+
+/* u of 0 to 3 * 2^-16: too little for a bow, which is then all that u changes
+ * by. */
+static void the_least_fog_there_is_is_planned_within_its_error(void **state)
+{
+    unsigned count[FOGGED_KINDS] = {0};
+    (void)state;
+    random_seed(6);
+    for (int i = 0; i < 20000; i++) {
+        struct view_case v;
+        struct fog_plan plan;
+        int32_t depth[3];
+        if (i % 3 == 0)
+            open_view(&v, 1, FOG_LINEAR, 1. / 256, 32767, 0, 32767);
+        else if (i % 3 == 1)
+            open_view(&v, 1, FOG_EXPONENTIAL, 1. / 256, 32767, 0x1p-17, 0);
+        else /* half a step of depth behind the eye */
+            open_view(&v, 0, FOG_EXPONENTIAL, 1. / 256, 16384, .01, 0);
+        for (int k = 0; k < 3; k++)
+            depth[k] = v.fog.divides ? DEPTH_FAR + (int32_t)random_magnitude(20, 65519)
+                                     : DEPTH_NEAR - random_between(0, 60) * (k > 0);
+        fog_choose(&v.fog, depth, v.fog.divides ? 0 : 64, 0, &plan);
+        count[plan.kind]++;
+        for (int j = 0; j < 30; j++) {
+            const double a = random_fraction(), b = random_fraction() * (1 - a), at[3] = {a, b, 1 - a - b};
+            const double closeness =
+                at[0] * depth[0] + at[1] * depth[1] + at[2] * depth[2] - DEPTH_FAR + (v.fog.divides ? 1 : .5);
+            const double truth = fmax(0, part_at(&v, distance_of(&v, closeness)));
+            assert_true(fabs(planned(&v, &plan, depth, at) - truth) * 65536 <= plan.error + 3);
+        }
+    }
+    assert_true(count[FOGGED_LINEARLY] > 100 && count[FOGGED_BY_PIXEL] > 1000 && count[FOGGED_NOT] > 100);
 }
 
 int main(void)
@@ -340,6 +377,7 @@ int main(void)
         cmocka_unit_test(the_budget_is_divided_not_passed),
         cmocka_unit_test(fog_behind_the_far_plane_is_none),
         cmocka_unit_test(extremes_are_drawn),
+        cmocka_unit_test(the_least_fog_there_is_is_planned_within_its_error),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Configurations, and stores that are full. */
+#include "geometry/object.h"
+#include "list.h"
 #include "pack/pack.h"
 
 #include <setjmp.h>
@@ -227,7 +229,8 @@ static void full_object_and_vertex_stores_drop_whole_objects(void **state)
     }
 }
 
-/* Draws one triangle of a mesh with too little room in either store; returns the pieces that it has. */
+/* Draws one triangle of a mesh with too little room in either store; returns
+ * the pieces that it has. */
 static uint32_t check_clipped(const struct scene_header *blob)
 {
     struct glint_stats stats;
@@ -289,6 +292,35 @@ static void stores_of_any_size_are_never_overrun(void **state)
     }
 }
 
+/* All vertices moved after their triangles were listed: as they are, between
+ * two rows of centres, onto a line, mirrored. */
+static void what_is_listed_and_has_no_row_or_area_is_not_drawn(void **state)
+{
+    (void)state;
+    for (int way = 0; way < 4; way++) {
+        struct frame_case f = frame_case_small(40, 30, GLINT_GREY8);
+        f.config.method = &glint_flat;
+        frame_case_open_for(&f, tiny.scene);
+        assert_int_equal(glint_frame_begin(&f.frame, tiny.scene, 0), 0);
+        for (unsigned v = 0; v < f.frame.vertex_count; v++) {
+            int16_t *record = list_record(&f.frame, v);
+            record[VERTEX_Y] = way == 1 ? record[VERTEX_Y] % 7 : way == 2 ? record[VERTEX_X] : record[VERTEX_Y];
+            record[VERTEX_X] = (int16_t)(way == 3 ? -record[VERTEX_X] : record[VERTEX_X]);
+        }
+        while (frame_case_band(&f))
+            ;
+        frame_case_guards(&f);
+        size_t drawn = 0;
+        for (size_t i = 0; i < f.picture_bytes; i++)
+            drawn += f.picture[i] != f.picture[0];
+        assert_true(f.frame.triangle_count > 50);
+        assert_int_equal(f.frame.stats.setups, f.frame.triangle_count);
+        assert_int_equal(frame_case_drawn(&f), way ? 0 : f.frame.triangle_count);
+        assert_int_equal(drawn > 0, way == 0);
+        frame_case_close(&f);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -299,6 +331,7 @@ int main(void)
         cmocka_unit_test(full_object_and_vertex_stores_drop_whole_objects),
         cmocka_unit_test(a_clipped_triangle_is_drawn_whole_or_not_at_all),
         cmocka_unit_test(stores_of_any_size_are_never_overrun),
+        cmocka_unit_test(what_is_listed_and_has_no_row_or_area_is_not_drawn),
     };
     return cmocka_run_group_tests(tests, load, unload);
 }

@@ -440,6 +440,39 @@ static void the_peak_of_a_near_light_is_its_centre(void **state)
     assert_true(off * 80 <= found);
 }
 
+/* Light and viewer are mirrored at corner 2's normal, but for a little: the straight guess may be the corner itself. */
+static void a_peak_in_a_corner_is_found_there(void **state)
+{
+    const uint16_t whole[3] = {0, 0, SUMMIT_ONE};
+    (void)state;
+    long found = 0;
+    random_seed(102);
+    object.local = 1;
+    object.eye.near = object.light[0].source.near = 1;
+    for (int i = 0; i < 20000; i++) {
+        double n[3], to[3], weight[3];
+        uint16_t at[3];
+        int opposite;
+        random_corners(.4, 4000);
+        random_direction(to, 3);
+        for (int k = 0; k < 3; k++)
+            n[k] = corner[2].normal[k] / 16384.;
+        for (int k = 0; k < 3; k++) {
+            const double across = to[k] - dot(n, to) * n[k];
+            object.eye.at[k] = corner[2].place[k] + (int32_t)lrint(20000 * (n[k] + across));
+            object.light[0].source.at[k] =
+                corner[2].place[k] + (int32_t)lrint(20000 * (n[k] - across)) + random_between(-30, 30);
+        }
+        if (summit_find(&object, 0, corner, at, &opposite) != SUMMIT_INSIDE || memcmp(at, whole, sizeof at) != 0)
+            continue;
+        found++;
+        for (int k = 0; k < 3; k++)
+            weight[k] = at[k] / (double)SUMMIT_ONE;
+        assert_true(cosine(weight) > 1 - 1e-5);
+    }
+    assert_true(found > 500);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -451,6 +484,7 @@ int main(void)
         cmocka_unit_test(every_light_has_its_own_bit),
         cmocka_unit_test(the_peak_of_a_directional_light_is_its_centre),
         cmocka_unit_test(the_peak_of_a_near_light_is_its_centre),
+        cmocka_unit_test(a_peak_in_a_corner_is_found_there),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -202,11 +202,37 @@ static void a_vertex_record_holds_place_and_dots(void **state)
     assert_true(whole > 10 && unplaced > 10);
 }
 
+/* Q28, and a step of 2^-8 besides. */
+static void a_light_in_the_very_place_shines_along_z(void **state)
+{
+    struct object_point point = {.near = 1};
+    int32_t out[3];
+    (void)state;
+    random_seed(63);
+    for (int i = 0; i < 9000; i++) {
+        int32_t place[3];
+        point.shift = (int16_t)(i % 9);
+        for (int k = 0; k < 3; k++) {
+            point.at[k] = random_between(-32768 << point.shift, 32767 << point.shift);
+            place[k] = point.at[k] * (1 << (8 - point.shift));
+        }
+        object_towards(&point, place, out);
+        assert_true(out[0] == 0 && out[1] == 0 && out[2] == 1 << 28);
+        const int axis = i / 9 % 3, sign = i & 1 ? 1 : -1;
+        point.at[axis] += sign;
+        object_towards(&point, place, out);
+        for (int k = 0; k < 3; k++)
+            assert_in_range(out[k] * sign + (1 << 10), k == axis ? 1 << 28 : 1 << 10,
+                            (k == axis ? 1 << 28 : 0) + (1 << 11));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lights_are_turned_into_the_objects_axes),
         cmocka_unit_test(a_vertex_record_holds_place_and_dots),
+        cmocka_unit_test(a_light_in_the_very_place_shines_along_z),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -292,6 +292,46 @@ static void limits_left_out_are_the_papers(void **state)
     pack_free(&torus);
 }
 
+/* Corners in a line, in one place, and a third of a pixel apart: no polynomial holds over such a part. */
+static void parts_without_area_or_too_small_have_no_polynomial(void **state)
+{
+    static const struct {
+        uint16_t weight[3][2];
+        int height; /* sub-pixels, or an eighth less */
+    } parts[] = {{{{32768, 0}, {16384, 16384}, {0, 32768}}, 0},
+                 {{{8192, 8192}, {8192, 8192}, {8192, 8192}}, 0},
+                 {{{8192, 8192}, {8193, 8192}, {8192, 8193}}, 0},
+                 {{{0, 0}, {200, 0}, {0, 200}}, 4},
+                 {{{0, 0}, {8192, 0}, {0, 8192}}, 181}};
+    static const int16_t corner[3][2] = {{1024, 0}, {0, 1024}, {0, 0}};
+    static const int32_t value[3] = {100, 200, 300}, bulge[3] = {0, 0, 0};
+    struct shade_input in = {.place = {corner[0], corner[1], corner[2]}};
+    struct shade_setup setup;
+    struct surface surface = {.channels = 3};
+    (void)state;
+    in.surface = &surface;
+    assert_int_equal(plane_setup(&setup.plane, in.place, WIDTH, HEIGHT), 1);
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        const int large = parts[i].height > 100;
+        struct part_corner at[3], middle[3];
+        struct part_place there[3];
+        const struct part_corner *const of[3] = {&at[0], &at[1], &at[2]};
+        for (int k = 0; k < 3; k++) {
+            at[k] =
+                (struct part_corner){{parts[i].weight[k][0], parts[i].weight[k][1]}, {255 << 8, 255 << 8, 255 << 8}};
+            middle[k] = at[k];
+            there[k] = part_place(&in, &at[k]);
+            setup.channel[k].p.f = 12345;
+        }
+        assert_in_range(part_height(there), parts[i].height * 7 / 8, parts[i].height);
+        assert_int_equal(part_quadratic(&setup, &in, of, middle), large);
+        assert_int_equal(setup.channel[2].p.f == 12345, !large);
+        setup.channel[0].p.f = 12345;
+        assert_int_equal(part_channel(&setup, &in, of, value, bulge, 0, &setup.channel[0]), large);
+        assert_int_equal(setup.channel[0].p.f == 12345, !large);
+    }
+}
+
 static void triangles_are_counted_under_what_draws_them(void **state)
 {
     (void)state;
@@ -323,6 +363,7 @@ int main(void)
         cmocka_unit_test(a_picture_does_not_depend_on_the_one_before),
         cmocka_unit_test(the_stack_is_as_deep_as_the_deepest_split),
         cmocka_unit_test(limits_left_out_are_the_papers),
+        cmocka_unit_test(parts_without_area_or_too_small_have_no_polynomial),
         cmocka_unit_test(triangles_are_counted_under_what_draws_them),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -136,6 +136,31 @@ static void every_method_takes_textures(void **state)
     pack_free(&r);
 }
 
+/* Grey weighs a texel's channels by the material's colour; of black nothing shows but highlights. */
+static void a_texture_on_black_is_not_seen_in_grey(void **state)
+{
+    (void)state;
+    struct pack_result r = load(NOISE, FAR_LIGHT);
+    struct scene_material *material = (struct scene_material *)(uintptr_t)scene_materials(r.scene);
+    uint8_t *picture[2];
+    int brightest = 0;
+    for (int textured = 1; textured >= 0; textured--) {
+        for (unsigned i = 0; i < r.scene->material_count; i++) {
+            memset(material[i].diffuse, 0, sizeof material[i].diffuse);
+            material[i].texture = textured ? material[i].texture : SCENE_NO_TEXTURE;
+        }
+        picture[textured] = frame_case_picture(frame_case_small(120, 90, GLINT_GREY8), r.scene, 0, NULL);
+    }
+    for (int i = 0; i < 120 * 90; i++) {
+        assert_in_range(picture[1][i] + 1, picture[0][i], picture[0][i] + 2);
+        brightest = picture[0][i] > brightest ? picture[0][i] : brightest;
+    }
+    assert_in_range(brightest, 60, 255);
+    free(picture[0]);
+    free(picture[1]);
+    pack_free(&r);
+}
+
 static void kinds_err_in_the_order_of_their_cost(void **state)
 {
     (void)state;
@@ -235,6 +260,7 @@ int main(void)
         cmocka_unit_test(bilinear_textures_are_within_1_5_of_the_truth),
         cmocka_unit_test(nearest_texels_are_the_truth_but_for_pixels_on_their_edges),
         cmocka_unit_test(every_method_takes_textures),
+        cmocka_unit_test(a_texture_on_black_is_not_seen_in_grey),
         cmocka_unit_test(kinds_err_in_the_order_of_their_cost),
         cmocka_unit_test(coordinates_at_the_end_of_their_range_are_like_others),
         cmocka_unit_test(the_budget_is_kept),

@@ -186,12 +186,22 @@ static void bounds_grow_with_what_they_depend_on(void **state)
     assert_int_equal(texture_choose(&texture, &flat, 0, &error), GLINT_TEXTURE_AFFINE);
 }
 
+static void no_kind_but_affine_and_quadratic_errs(void **state)
+{
+    const struct texture_spread worst = {1 << 23, 1 << 24, 32767};
+    (void)state;
+    for (unsigned kind = 0; kind < GLINT_TEXTURES; kind++)
+        assert_int_equal(texture_error(&worst, kind),
+                         kind == GLINT_TEXTURE_AFFINE || kind == GLINT_TEXTURE_QUADRATIC ? 65535 : 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_rectangle_at_depth_ratio_4_errs_as_theory_says),
         cmocka_unit_test(no_triangle_errs_by_more_than_its_bound),
         cmocka_unit_test(bounds_grow_with_what_they_depend_on),
+        cmocka_unit_test(no_kind_but_affine_and_quadratic_errs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
