@@ -18,12 +18,17 @@ static json_t *parse(FILE *file, json_error_t *error)
 }
 
 /* Names come back in messages: to a terminal, and a line each. What that would obey is U+0080 to U+009F as well. */
-static bool is_legible(const char *text)
+static char *find_control(char *text)
 {
-    const unsigned char *at = (const unsigned char *)text;
+    unsigned char *at = (unsigned char *)text;
     while (*at >= ' ' && *at != 0x7f && !(at[0] == 0xc2 && at[1] < 0xa0))
         at++;
-    return !*at;
+    return *at ? (char *)at : NULL;
+}
+
+static bool is_legible(const char *text)
+{
+    return !find_control((char *)(uintptr_t)text);
 }
 
 /* All strings and keys; nested as deep as jansson lets them, 2048. */
@@ -49,8 +54,8 @@ int node_open(struct node_file *file, const char *path, struct node *root)
         fprintf(stderr, "%s: %s\n", path, strerror(errno));
         node_close(file);
     } else if (!file->root) {
-        for (char *at = error.text; *at; at++) /* it quotes the file, which may not be text */
-            *at = (unsigned char)*at < ' ' ? '?' : *at;
+        for (char *at = error.text; (at = find_control(at));) /* it quotes the file, which may not be text */
+            *at = '?';
         fprintf(stderr, "%s:%d: %s\n", path, error.line > 0 ? error.line : 1, error.text);
     } else if (!are_legible(file->root)) {
         fprintf(stderr, "%s: a name or text has a control character\n", path);

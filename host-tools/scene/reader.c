@@ -156,7 +156,6 @@ int reader_load(const char *path, struct model *model)
     *model = (struct model){0};
     int exit_code = node_open(&file, path, &root);
     if (!exit_code) {
-        exit_code = 1; /* if anything is wrong with it */
         node_object(&root, "materials textures bumps meshes objects lights camera ambient background fog duration");
         node_member_vector(&root, "ambient", model->ambient, 3, 0, 1);
         node_member_vector(&root, "background", model->background, 3, 0, 1);
@@ -181,5 +180,5 @@ int reader_load(const char *path, struct model *model)
     if (!file.failed)
         return 0;
     model_free(model);
-    return exit_code;
+    return exit_code ? exit_code : 1; /* of a file that it names, or its own */
 }
