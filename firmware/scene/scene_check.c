@@ -355,31 +355,39 @@ enum scene_fault scene_check(const void *blob, size_t size)
     for (unsigned i = 0; USES(USES_TEXTURE | USES_BUMP) && !fault && i < s->texture_count; i++)
         fault = check_texture(s, &scene_textures(s)[i]);
     /*@ loop invariant fault == SCENE_OK ==> GOOD(s) && i <= s->mesh_count;
+        loop invariant fault == SCENE_OK ==> MESHES(s, i);
         loop assigns i, fault;
         loop variant s->mesh_count - i; */
     for (unsigned i = 0; !fault && i < s->mesh_count; i++)
         fault = check_mesh(s, &scene_meshes(s)[i]);
     /*@ loop invariant fault == SCENE_OK ==> GOOD(s) && i <= s->power_count;
+        loop invariant fault == SCENE_OK ==> MESHES(s, s->mesh_count);
         loop assigns i, fault;
         loop variant s->power_count - i; */
     for (unsigned i = 0; !fault && i < s->power_count; i++)
         fault = check_power(&scene_powers(s)[i]);
     /*@ loop invariant fault == SCENE_OK ==> GOOD(s) && i <= s->material_count;
+        loop invariant fault == SCENE_OK ==> MESHES(s, s->mesh_count) && MATERIALS(s, i);
         loop assigns i, fault;
         loop variant s->material_count - i; */
     for (unsigned i = 0; !fault && i < s->material_count; i++)
         fault = check_material(s, &scene_materials(s)[i]);
     /*@ loop invariant fault == SCENE_OK ==> GOOD(s) && i <= s->key_count;
+        loop invariant fault == SCENE_OK ==> MESHES(s, s->mesh_count) && MATERIALS(s, s->material_count);
         loop assigns i, fault;
         loop variant s->key_count - i; */
     for (unsigned i = 0; !fault && i < s->key_count; i++)
         fault = check_key(&scene_keys(s)[i]);
     /*@ loop invariant fault == SCENE_OK ==> GOOD(s) && i <= s->object_count;
+        loop invariant fault == SCENE_OK ==> MESHES(s, s->mesh_count) && MATERIALS(s, s->material_count);
+        loop invariant fault == SCENE_OK ==> OBJECTS(s, i);
         loop assigns i, fault;
         loop variant s->object_count - i; */
     for (unsigned i = 0; !fault && i < s->object_count; i++)
         fault = check_object(s, &scene_objects(s)[i]);
     /*@ loop invariant fault == SCENE_OK ==> GOOD(s) && i <= s->light_count;
+        loop invariant fault == SCENE_OK ==> MESHES(s, s->mesh_count) && MATERIALS(s, s->material_count);
+        loop invariant fault == SCENE_OK ==> OBJECTS(s, s->object_count) && LIGHTS(s, i);
         loop assigns i, fault;
         loop variant s->light_count - i; */
     for (unsigned i = 0; !fault && i < s->light_count; i++)

@@ -41,7 +41,7 @@
      ((m)->tangents == 0 || INSIDE(s, (m)->tangents, (m)->vertex_count, sizeof(struct scene_tangent))))
 #define NORMALS(s, m) \
     (\forall integer j, k; 0 <= j < (m)->vertex_count && 0 <= k < 3 ==> -16386 <= VERTICES(s, m)[j].normal[k] <= 16386)
-/* Indices: the first n triangles' corners and materials, and those of a mesh, a material, a motion and an object. */
+/* Indices: the first n triangles' corners and materials; all of the first n meshes, materials, objects, lights. */
 #define CORNERS(s, m, n)                                                            \
     (\forall integer j; 0 <= j < (n) ==>                                            \
         TRIANGLES(s, m)[j].corner[0] < (m)->vertex_count &&                         \
@@ -56,6 +56,15 @@
      ((m)->bump == SCENE_NO_TEXTURE || (m)->bump < (s)->texture_count))
 #define MOTION(s, m) ((m)->kind == MOTION_KEYS ==> 1 <= (m)->key_count && (m)->first_key + (m)->key_count <= (s)->key_count)
 #define OBJECT(s, o) ((o)->mesh < (s)->mesh_count && (MOTION(s, &(o)->motion)))
+/*@ predicate mesh_ok(struct scene_header *s, struct scene_mesh *m) = MESH(s, m);
+    predicate material_ok(struct scene_header *s, struct scene_material *m) = MATERIAL(s, m);
+    predicate object_ok(struct scene_header *s, struct scene_object *o) = OBJECT(s, o);
+    predicate motion_ok(struct scene_header *s, struct scene_motion *m) = MOTION(s, m); */
+#define MESHES(s, n)    (\forall integer a; 0 <= a < (n) ==> mesh_ok(s, AT(scene_mesh, s, (s)->meshes) + a))
+#define MATERIALS(s, n) (\forall integer a; 0 <= a < (n) ==> material_ok(s, AT(scene_material, s, (s)->materials) + a))
+#define OBJECTS(s, n)   (\forall integer a; 0 <= a < (n) ==> object_ok(s, AT(scene_object, s, (s)->objects) + a))
+#define LIGHTS(s, n) \
+    (\forall integer a; 0 <= a < (n) ==> motion_ok(s, &(AT(scene_light, s, (s)->lights) + a)->motion))
 /* clang-format on */
 #define TEXELS(t) (1 << ((t)->log2_width + (t)->log2_height))
 /*@ requires \valid_read((const uint8_t *)bytes + (0 .. size - 1));
@@ -173,7 +182,7 @@ static enum scene_fault check_triangles(const struct scene_header *s, const stru
         READS(struct scene_material, s) && READS(struct scene_tangent, s);
     requires GOOD(s) && \valid_read(mesh);
     assigns \nothing;
-    ensures \result == SCENE_OK ==> MESH(s, mesh); */
+    ensures \result == SCENE_OK ==> mesh_ok(s, mesh); */
 static enum scene_fault check_mesh(const struct scene_header *s, const struct scene_mesh *mesh);
 
 /*@ requires \valid_read(p);
@@ -183,7 +192,7 @@ static enum scene_fault check_power(const struct fx_power *p);
 /*@ requires READS(struct scene_texture, s) && READS(struct fx_power, s);
     requires GOOD(s) && \valid_read(m);
     assigns \nothing;
-    ensures \result == SCENE_OK ==> MATERIAL(s, m); */
+    ensures \result == SCENE_OK ==> material_ok(s, m); */
 static enum scene_fault check_material(const struct scene_header *s, const struct scene_material *m);
 
 /*@ requires READS(uint8_t, s) && READS(uint16_t, s) && READS(uint32_t, s);
@@ -211,19 +220,19 @@ static enum scene_fault check_key(const struct scene_key *k);
 /*@ requires READS(struct scene_key, s);
     requires GOOD(s) && \valid_read(m);
     assigns \nothing;
-    ensures \result == SCENE_OK ==> (MOTION(s, m)); */
+    ensures \result == SCENE_OK ==> motion_ok(s, m); */
 static enum scene_fault check_motion(const struct scene_header *s, const struct scene_motion *m);
 
 /*@ requires READS(struct scene_key, s);
     requires GOOD(s) && \valid_read(o);
     assigns \nothing;
-    ensures \result == SCENE_OK ==> OBJECT(s, o); */
+    ensures \result == SCENE_OK ==> object_ok(s, o); */
 static enum scene_fault check_object(const struct scene_header *s, const struct scene_object *o);
 
 /*@ requires READS(struct scene_key, s);
     requires GOOD(s) && \valid_read(l);
     assigns \nothing;
-    ensures \result == SCENE_OK ==> (MOTION(s, &l->motion)); */
+    ensures \result == SCENE_OK ==> motion_ok(s, &l->motion); */
 static enum scene_fault check_light(const struct scene_header *s, const struct scene_light *l);
 
 /*@ requires READS(struct scene_material, s) && READS(struct scene_light, s) && READS(struct scene_object, s);
@@ -246,7 +255,12 @@ uint32_t scene_effects(const struct scene_header *s);
         READS(struct scene_object, (struct scene_header *)blob) &&
         READS(struct scene_light, (struct scene_header *)blob);
     assigns \nothing;
-    ensures \result == SCENE_OK ==> GOOD((struct scene_header *)blob); */
+    ensures \result == SCENE_OK ==> GOOD((struct scene_header *)blob);
+    ensures \result == SCENE_OK ==> MESHES((struct scene_header *)blob, ((struct scene_header *)blob)->mesh_count);
+    ensures \result == SCENE_OK ==>
+        MATERIALS((struct scene_header *)blob, ((struct scene_header *)blob)->material_count);
+    ensures \result == SCENE_OK ==> OBJECTS((struct scene_header *)blob, ((struct scene_header *)blob)->object_count);
+    ensures \result == SCENE_OK ==> LIGHTS((struct scene_header *)blob, ((struct scene_header *)blob)->light_count); */
 enum scene_fault scene_check(const void *blob, size_t size);
 
 #include "firmware/scene/scene_check.c"
