@@ -2,7 +2,7 @@
 /*
  * geometry/project: any eye point that transform_point() may give, by any transform.
  *
- *   proves: enlarged project_extreme project_orthographic project_clipped project_round project_perspective
+ *   proves: enlarged project_extreme project_orthographic into_guard project_clipped project_round project_perspective
  *           project_within project
  *   assumes: fx_recip_norm
  *   options: -eva-precision 2 -eva-slevel 200 -eva-split-return full
