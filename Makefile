@@ -83,7 +83,7 @@ test-fuzz: deps-test ## What `make fuzz` found of interest, given to the parsers
 test-faults: deps-test ## Programs whose calls of libraries, kernel and devices fail, one after another, then some pairs
 	$(Q)tests/tools/run.sh faults
 
-test-faults-pairs: deps-test ## The same with FAULTS_PAIRS=600 pairs of each tool's calls, and 20 times as many of a machine's (half an hour; 12 minutes of it the tools)
+test-faults-pairs: deps-test ## The same with FAULTS_PAIRS=600 pairs of each tool's calls, and 20 times as many of a machine's (half an hour; an hour on a busy machine)
 	$(Q)tests/tools/run.sh faults-pairs
 
 test-cli: deps-test ## The command line tool against good and bad input
@@ -116,7 +116,7 @@ test-usb: deps-test ## Pictures over USB between glint-device and glint-view, wi
 test-sanitize: deps-test ## Unit tests, command line and hashes in checked arithmetic (firmware/fixed/checked.h) under clang's sanitizers
 	$(Q)tests/tools/run.sh sanitize
 
-test-exhaustive: deps-test ## Whole domains of the fixed-point functions, and the plan's bounds (half an hour on 2 cores)
+test-exhaustive: deps-test ## Whole domains of the fixed-point functions, and the plan's bounds (11 minutes of CPU)
 	$(Q)tests/tools/run.sh exhaustive
 
 coverage: deps-coverage ## Lines, branches and MC/DC of firmware/ that the tests reach, by file: all but tests/coverage.txt (some minutes)
@@ -128,7 +128,7 @@ mutation: deps-test ## Small changes of the renderer that tests ought to see, SA
 prove: deps-prove ## Frama-C proofs: no overflow, no access out of bounds, nothing undefined, every statement reached (10 minutes); PROOFS="fixed plane" of some
 	$(Q)$(MAKE) --no-print-directory prove-run
 
-prove-scene: deps-prove ## The contracts of the scene check, for blobs of any bytes and length (947 goals, 3 minutes)
+prove-scene: deps-prove ## The contracts of the scene check, for blobs of any bytes and length (980 goals, 4 minutes)
 	$(Q)$(MAKE) --no-print-directory prove-scene-run
 
 prove-planted: deps-prove ## Whether the proofs fail on faults planted into a copy of the sources (3 minutes; ALL=1: the slow ones too)
