@@ -269,6 +269,59 @@ static void a_middle_by_its_bulges_is_the_unit_average(void **state)
     }
 }
 
+static void set_up(void (*shade)(struct shade_setup *, const struct shade_input *), unsigned highlights,
+                   struct shade_setup *setup)
+{
+    static const int16_t place[3][3] = {{-800, -800, 0}, {800, -800, 0}, {0, 800, 0}};
+    static const struct scene_vertex vertex[3] = {
+        {{0, 0, 0}, {0, 0, 16384}}, {{1, 0, 0}, {0, 4588, 15729}}, {{0, 1, 0}, {0, -4588, 15729}}};
+    static const struct scene_tangent tangent[3] = {{{16384, 0, 0}, 1}, {{16384, 0, 0}, 1}, {{16384, 0, 0}, 1}};
+    static const int16_t uv[3][2] = {{0, 0}, {4096, 0}, {0, 4096}};
+    static const struct scene_triangle triangle = {.corner = {0, 2, 1}};
+    const struct object_state object = {.light[0] = {.towards = {0, 0, 16384}, .half = {0, 4588, 15729}}};
+    const struct surface surface = {.channels = 1,
+                                    .lights = 1,
+                                    .highlights = (uint8_t)highlights,
+                                    .fold = 65535,
+                                    .bump = {.log2_width = 4, .log2_height = 4, .steepness = 16384}};
+    const struct shade_input in = {.place = {place[0], place[1], place[2]},
+                                   .triangle = &triangle,
+                                   .vertices = vertex,
+                                   .tangents = tangent,
+                                   .uvs = uv,
+                                   .object = &object,
+                                   .surface = &surface,
+                                   .texture = GLINT_TEXTURE_AFFINE,
+                                   .grey_table = 1};
+    *setup = (struct shade_setup){.perspective = 0};
+    for (unsigned k = 0; k < SHADE_BUMP_CHANNELS; k++)
+        setup->bump[k].p = (struct polynomial){1, 2, 3, 4, 5, 6};
+    assert_int_equal(plane_setup(&setup->plane, in.place, SIDE, SIDE), 1);
+    shade(setup, &in);
+}
+
+/* L' has 3 channels, H' 3 more; of 1 less the squares of their lengths, where these are to be divided by, each has one.
+ */
+static void a_light_fills_its_own_channels_alone(void **state)
+{
+    static void (*const shades[])(struct shade_setup *, const struct shade_input *) = {
+        shade_bump_linear, shade_bump_quadratic, shade_bump_normalised};
+    static const struct polynomial untouched = {1, 2, 3, 4, 5, 6};
+    (void)state;
+    for (int way = 0; way < 3; way++)
+        for (unsigned highlights = 0; highlights < 2; highlights++) {
+            struct shade_setup setup;
+            set_up(shades[way], highlights, &setup);
+            assert_int_equal(setup.in_steps, 1);
+            assert_int_equal(setup.length, way == 2);
+            for (unsigned k = 0; k < SHADE_BUMP_CHANNELS; k++) {
+                const unsigned squares = way == 2 ? 1 + highlights : 0;
+                const int filled = k < BUMP_SQUARE ? k < BUMP_HALF * (1 + highlights) : k < BUMP_SQUARE + squares;
+                assert_int_equal(memcmp(&setup.bump[k].p, &untouched, sizeof untouched) != 0, filled);
+            }
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -279,6 +332,7 @@ int main(void)
         cmocka_unit_test(a_picture_does_not_depend_on_its_bands),
         cmocka_unit_test(middles_that_are_averages_keep_the_length_of_vectors_on_the_torus),
         cmocka_unit_test(a_middle_by_its_bulges_is_the_unit_average),
+        cmocka_unit_test(a_light_fills_its_own_channels_alone),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -195,6 +195,74 @@ static void numerators_over_the_depth_are_right_in_perspective(void **state)
     check_depths(65000, 65000 / 17, 2);
 }
 
+/* By another power than the table its foot is 1 in Q14: what is below is 0. N.H less it passes -2 in Q30 below -32768,
+ * or 256 before, for roundings. */
+static void another_power_shows_from_its_foot_on_and_is_deep_below_minus_two(void **state)
+{
+    static struct fx_power power;
+    struct surface surface = {.power = &power, .channels = 1, .lights = 1, .highlights = 1};
+    const struct shade_input in = {.surface = &surface};
+    (void)state;
+    fx_power_build(&power, 20);
+    for (int32_t low = -33100; low < -32000; low++)
+        for (int32_t bend = 0; bend < 3; bend++)
+            for (int32_t top = 0; top < 4; top++) {
+                const int deep = low - bend - 1 < -32768 + 256;
+                struct shade_setup setup = {.runs_only = 0};
+                uint32_t error;
+                const int shows = dots_show(&setup, &in, 0, 1, (struct bounds){low, top - bend}, bend, 1, &error);
+                assert_int_equal(shows, top >= 1);
+                assert_int_equal(setup.runs_only, shows && deep);
+            }
+}
+
+/* Far lights on a triangle without bends: N.L and N.H of its corners. */
+static void set_up_far(struct shade_setup *setup, const struct surface *surface, int16_t lights[3][2], uint32_t stretch)
+{
+    static const int16_t corner[3][3] = {{-800, -800, 0}, {800, -800, 0}, {0, 800, 0}};
+    const struct object_state object = {.local = 0};
+    const struct dots_factors factors = {.edge = {65536, 65536, 65536}, .stretch = stretch};
+    const struct shade_input in = {.place = {corner[0], corner[1], corner[2]},
+                                   .lights = {lights[0], lights[1], lights[2]},
+                                   .object = &object,
+                                   .surface = surface};
+    *setup = (struct shade_setup){.runs_only = 0};
+    assert_int_equal(plane_setup(&setup->plane, in.place, WIDTH, HEIGHT), 1);
+    dots_setup(setup, &in, &factors, NULL);
+}
+
+static void a_matt_surface_has_no_highlight(void **state)
+{
+    static struct fx_power power;
+    struct surface surface = {.power = &power, .channels = 1, .lights = 1};
+    int16_t lights[3][2] = {{8000, 16384}, {9000, 16384}, {10000, 16384}};
+    struct shade_setup setup;
+    (void)state;
+    fx_power_build(&power, 20);
+    for (int shiny = 0; shiny < 2; shiny++) {
+        surface.highlights = (uint8_t)shiny;
+        set_up_far(&setup, &surface, lights, 65536);
+        assert_int_equal(setup.diffuse_lights, 1);
+        assert_int_equal(setup.specular_lights, shiny);
+    }
+}
+
+/* The table of the first power begins at 0: N.H of -1 is within [-2, 2), twice that is not. */
+static void a_highlight_below_zero_is_stretched_too(void **state)
+{
+    static struct fx_power power;
+    const struct surface surface = {.power = &power, .channels = 1, .lights = 1, .highlights = 1};
+    int16_t lights[3][2] = {{8000, -16384}, {9000, 16384}, {10000, 16384}};
+    struct shade_setup setup;
+    (void)state;
+    fx_power_build(&power, 1);
+    for (int times = 1; times <= 2; times++) {
+        set_up_far(&setup, &surface, lights, 65536u * (uint32_t)times);
+        assert_int_equal(setup.specular_lights, 1);
+        assert_int_equal(setup.runs_only, times == 2);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -204,6 +272,9 @@ int main(void)
         cmocka_unit_test(bulges_of_a_piece_that_32_bits_do_not_hold_are_saturated),
         cmocka_unit_test(a_corner_on_the_far_plane_is_a_step_before_it),
         cmocka_unit_test(numerators_over_the_depth_are_right_in_perspective),
+        cmocka_unit_test(another_power_shows_from_its_foot_on_and_is_deep_below_minus_two),
+        cmocka_unit_test(a_matt_surface_has_no_highlight),
+        cmocka_unit_test(a_highlight_below_zero_is_stretched_too),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -333,6 +333,17 @@ static void parts_without_area_or_too_small_have_no_polynomial(void **state)
     }
 }
 
+/* 2^-15 of a sub-pixel below a whole number of them, over the longest edge, which is level. */
+static void the_height_of_a_part_is_rounded_down(void **state)
+{
+    (void)state;
+    for (int32_t height = 2; height < 2048; height++) {
+        const int32_t up = height * 32768 - 1;
+        const struct part_place place[3] = {{0, 0}, {8192 * 32768, 0}, {4096 * 32768, up}};
+        assert_int_equal(part_height(place), height - 1);
+    }
+}
+
 static void triangles_are_counted_under_what_draws_them(void **state)
 {
     (void)state;
@@ -365,6 +376,7 @@ int main(void)
         cmocka_unit_test(the_stack_is_as_deep_as_the_deepest_split),
         cmocka_unit_test(limits_left_out_are_the_papers),
         cmocka_unit_test(parts_without_area_or_too_small_have_no_polynomial),
+        cmocka_unit_test(the_height_of_a_part_is_rounded_down),
         cmocka_unit_test(triangles_are_counted_under_what_draws_them),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
