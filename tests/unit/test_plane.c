@@ -448,6 +448,22 @@ static void a_triangle_without_area_or_the_wrong_way_round_is_refused(void **sta
     }
 }
 
+/* Beyond the edge from corner 1 to 2, at 3/4 along both others: what is over comes off the second. */
+static void exact_values_are_clamped_to_the_triangle(void **state)
+{
+    static const int32_t ends[3] = {0, 100, 300};
+    struct channel channel = {.exact = PLANE_EXACT};
+    int32_t got;
+    (void)state;
+    corner[0] = (struct cover_point){8, 8}; /* a pixel's centre */
+    corner[1] = (struct cover_point){8 + 64, 8};
+    corner[2] = (struct cover_point){8, 8 + 64};
+    const struct plane plane = setup();
+    plane_keep_corners(&channel, ends, NULL);
+    plane_exact_values(&plane, &channel, SIZE / 2 + 3, SIZE / 2 + 3, 1, &got);
+    assert_true(fabs(got - (.75 * 100 + .25 * 300) * 0x1p16) <= 400); /* weights within 2^-16 */
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -461,6 +477,7 @@ int main(void)
         cmocka_unit_test(a_run_has_the_bits_of_its_pixels_one_by_one),
         cmocka_unit_test(depths_over_their_whole_range_stay_within_the_bound),
         cmocka_unit_test(a_triangle_without_area_or_the_wrong_way_round_is_refused),
+        cmocka_unit_test(exact_values_are_clamped_to_the_triangle),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
