@@ -263,6 +263,66 @@ static void a_highlight_below_zero_is_stretched_too(void **state)
     }
 }
 
+/* A linear channel that a polynomial holds does not take back that N.H leaves what a table's loop can index. */
+static void a_planned_highlight_far_below_its_foot_goes_by_runs(void **state)
+{
+    static const int16_t corner[3][3] = {{-800, -800, 0}, {800, -800, 0}, {0, 800, 0}};
+    static const struct shade_plan plan = {.rung = PLAN_LINEAR, .diffuse = 1, .specular = 1};
+    static struct fx_power power;
+    const struct surface surface = {.power = &power, .channels = 1, .lights = 1, .highlights = 1};
+    int16_t lights[3][2] = {{8000, -16384}, {9000, 16384}, {10000, 16384}};
+    const struct shade_input in = {.place = {corner[0], corner[1], corner[2]},
+                                   .lights = {lights[0], lights[1], lights[2]},
+                                   .surface = &surface,
+                                   .plan = plan};
+    (void)state;
+    for (unsigned n = 1; n <= 1023; n += 1022) { /* the table begins at 0, or at 1 - 2^-7: 2 - 2^-6 below is above -1 */
+        struct shade_setup setup = {.runs_only = 0};
+        fx_power_build(&power, n);
+        assert_int_equal(power.octave, n == 1 ? 0 : 7);
+        assert_int_equal(plane_setup(&setup.plane, in.place, WIDTH, HEIGHT), 1);
+        shade_planned(&setup, &in);
+        assert_int_equal(setup.channel[1].exact, 0);
+        assert_int_equal(setup.runs_only, n == 1023);
+    }
+}
+
+/* X-shading leaves out the same bends under one light, and under two of which the second is behind. */
+static void a_light_behind_the_triangle_bends_nothing(void **state)
+{
+    static const int16_t corner[3][3] = {{-800, -800, 0}, {800, -800, 0}, {0, 800, 0}};
+    static struct fx_power power;
+    int16_t lights[3][4] = {{8000, 0, -8000, 0}, {9000, 0, -8000, 0}, {10000, 0, -8000, 0}};
+    int bent = 0;
+    (void)state;
+    fx_power_build(&power, 20);
+    for (uint16_t bend = 0; bend < 400; bend++) {
+        const struct scene_triangle triangle = {.bend = {bend, bend, bend}};
+        const struct object_state object = {.local = 0};
+        uint8_t quadratic[2];
+        for (unsigned behind = 0; behind < 2; behind++) {
+            const struct surface surface = {.power = &power,
+                                            .channels = 1,
+                                            .lights = (uint8_t)(1 + behind),
+                                            .bend_limit = (uint8_t)(behind ? 64 : 128),
+                                            .light = {{.diffuse_most = 255 << 8}, {.diffuse_most = 255 << 8}}};
+            const struct shade_input in = {.place = {corner[0], corner[1], corner[2]},
+                                           .lights = {lights[0], lights[1], lights[2]},
+                                           .triangle = &triangle,
+                                           .object = &object,
+                                           .surface = &surface};
+            struct shade_setup setup = {.runs_only = 0};
+            assert_int_equal(plane_setup(&setup.plane, in.place, WIDTH, HEIGHT), 1);
+            shade_x(&setup, &in);
+            assert_int_equal(setup.diffuse_lights, 1);
+            quadratic[behind] = setup.quadratic;
+        }
+        assert_int_equal(quadratic[0], quadratic[1]);
+        bent += quadratic[0];
+    }
+    assert_in_range(bent, 1, 399);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -275,6 +335,8 @@ int main(void)
         cmocka_unit_test(another_power_shows_from_its_foot_on_and_is_deep_below_minus_two),
         cmocka_unit_test(a_matt_surface_has_no_highlight),
         cmocka_unit_test(a_highlight_below_zero_is_stretched_too),
+        cmocka_unit_test(a_planned_highlight_far_below_its_foot_goes_by_runs),
+        cmocka_unit_test(a_light_behind_the_triangle_bends_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
