@@ -70,6 +70,33 @@ static void a_power_begins_at_its_foot(void **state)
     }
 }
 
+/* The table's power, by straight lines from step to step of 128, of a part; of exponents whose table begins at 0. */
+static double shine_of(const struct fx_power *power, double specular, double h)
+{
+    const double at = fmax(h, 0) / 128;
+    const uint16_t *v = &power->value[(int)at];
+    return specular * (v[0] + (v[1] - v[0]) * (at - floor(at))) / 32768;
+}
+
+/* From a corner that faces the other way to one where it just shows, its chord is above it by no more than what is said
+ * and a unit of 1/256: at one of the table's steps it is so most. */
+static void a_chord_to_the_dark_side_is_not_further_above_a_highlight(void **state)
+{
+    (void)state;
+    for (unsigned n = 2; n < 10; n++) {
+        struct fx_power power;
+        fx_power_build(&power, n);
+        const struct plan_surface surface = {.power = &power};
+        assert_int_equal(power.octave, 0);
+        for (int32_t high = 1; high <= 16384; high += high < 5461 ? 1 : 97) {
+            const struct curve_values v = {.high = high, .middle = -16384, .low = -16384};
+            const double bound = parts_shine_gap(&surface, 65280, &v), last = shine_of(&power, 65280, high);
+            for (int32_t h = 0; h < high; h += 128)
+                assert_true(last * (h + 16384) / (high + 16384) - shine_of(&power, 65280, h) < bound + 1);
+        }
+    }
+}
+
 /* Depths of next to nothing, whose ratio is not known: all that there is. */
 static void perspective_moves_all_where_a_corner_is_next_to_infinity(void **state)
 {
@@ -145,6 +172,7 @@ int main(void)
         cmocka_unit_test(smaller_bounds_would_be_seen_to_fail),
         cmocka_unit_test(a_part_of_a_coefficient_is_rounded_up),
         cmocka_unit_test(a_power_begins_at_its_foot),
+        cmocka_unit_test(a_chord_to_the_dark_side_is_not_further_above_a_highlight),
         cmocka_unit_test(perspective_moves_all_where_a_corner_is_next_to_infinity),
         cmocka_unit_test(finished_colours_may_be_clamped_by_the_budget_alone),
         cmocka_unit_test(what_just_fits_is_finished_before_its_texel),
