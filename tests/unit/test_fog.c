@@ -303,8 +303,30 @@ static void fog_behind_the_far_plane_is_none(void **state)
     assert_int_equal(v.fog.kind, FOG_NONE);
     open_view(&v, 0, FOG_LINEAR, 1, 50, 51, 60);
     assert_int_equal(v.fog.kind, FOG_NONE);
+    for (int perspective = 0; perspective < 2; perspective++) { /* at the far plane it is still nothing */
+        open_view(&v, perspective, FOG_LINEAR, 1, 50, 50, 60);
+        assert_int_equal(v.fog.kind, FOG_NONE);
+    }
     open_view(&v, 1, FOG_LINEAR, 1, 50, 40, 60);
     assert_int_equal(v.fog.kind, FOG_LINEAR);
+}
+
+/* From `clear` on there is no fog, that depth included, whichever corner has it. */
+static void a_corner_where_the_fog_begins_has_none(void **state)
+{
+    (void)state;
+    for (int perspective = 0; perspective < 2; perspective++)
+        for (int k = 0; k < 3; k++) {
+            struct view_case v;
+            struct fog_plan plan;
+            open_view(&v, perspective, FOG_LINEAR, 1, 50, 10, 40);
+            int32_t depth[3] = {v.fog.clear + 5, v.fog.clear + 5, v.fog.clear + 5};
+            depth[k] = v.fog.clear;
+            fog_choose(&v.fog, depth, 0, 0, &plan);
+            assert_int_equal(plan.kind, FOGGED_NOT);
+            assert_int_equal(plan.error, 0);
+            assert_int_equal(plan.shown, 65536);
+        }
 }
 
 /* From a wall of fog to the thinnest there is: no overflow, and still between
@@ -376,6 +398,7 @@ int main(void)
         cmocka_unit_test(what_is_left_out_cannot_show),
         cmocka_unit_test(the_budget_is_divided_not_passed),
         cmocka_unit_test(fog_behind_the_far_plane_is_none),
+        cmocka_unit_test(a_corner_where_the_fog_begins_has_none),
         cmocka_unit_test(extremes_are_drawn),
         cmocka_unit_test(the_least_fog_there_is_is_planned_within_its_error),
     };

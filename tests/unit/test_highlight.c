@@ -333,6 +333,37 @@ static void a_zero_counts_as_both_signs(void **state)
     assert_int_equal(s.below2 & s.above2, 1);
 }
 
+/* Far away and next to each other, so that their cosines differ by about as little as counts as equal. Which of them is
+ * called the light changes the sign, and where it is 0 nothing. */
+static void light_and_viewer_change_places_and_with_them_the_sign(void **state)
+{
+    long zeros = 0, signs = 0;
+    (void)state;
+    random_seed(100);
+    object = (struct object_state){0};
+    corner[0] = (struct highlighted_point){{0, 0, 0}, {0, 0, 0}};
+    for (int i = 0; i < 100000; i++) {
+        struct object_point light, eye;
+        near_at(&light, 0x1p27);
+        eye = light;
+        for (int k = 0; k < 3; k++) {
+            eye.at[k] += random_between(-4, 4);
+            corner[0].normal[k] = random_between(-32767, 32767);
+        }
+        object.light[0].source = light;
+        object.eye = eye;
+        const struct highlighted_conditions one = highlighted_at(&object, 0, &corner[0]);
+        object.light[0].source = eye;
+        object.eye = light;
+        const struct highlighted_conditions other = highlighted_at(&object, 0, &corner[0]);
+        assert_int_equal(one.h1, -other.h1);
+        assert_int_equal(one.h2, -other.h2);
+        *(one.h2 ? &signs : &zeros) += 1;
+    }
+    print_message("%ld zeros, %ld signs\n", zeros, signs);
+    assert_true(zeros > 100000 / 10 && signs > 100000 / 10);
+}
+
 /* It has no direction from there, so nothing speaks against a highlight. */
 static void a_light_at_a_corner_counts_as_both_signs(void **state)
 {
@@ -480,6 +511,7 @@ int main(void)
         cmocka_unit_test(few_highlights_of_near_lights_are_missed),
         cmocka_unit_test(conditions_have_the_signs_of_their_formulas),
         cmocka_unit_test(a_zero_counts_as_both_signs),
+        cmocka_unit_test(light_and_viewer_change_places_and_with_them_the_sign),
         cmocka_unit_test(a_light_at_a_corner_counts_as_both_signs),
         cmocka_unit_test(every_light_has_its_own_bit),
         cmocka_unit_test(the_peak_of_a_directional_light_is_its_centre),

@@ -186,6 +186,21 @@ static void bounds_grow_with_what_they_depend_on(void **state)
     assert_int_equal(texture_choose(&texture, &flat, 0, &error), GLINT_TEXTURE_AFFINE);
 }
 
+/* At 65,536/255, to which 258 texels of full contrast come in full light. */
+static void what_texels_are_worth_is_saturated(void **state)
+{
+    const struct scene_texture texture = {.log2_width = 10, .log2_height = 10, .contrast = 255 << 8};
+    (void)state;
+    for (uint32_t texels = 128; texels < 15 * 1024; texels += 130) { /* each way */
+        const uint32_t d[2] = {texels << 18, texels << 18};
+        const struct texture_spread spread = texture_spread(&texture, d, 3277, 256);
+        if (texels < 129)
+            assert_in_range(spread.worth, 2 * texels * 255 << 8, (2 * texels * 255 << 8) + 1024);
+        else
+            assert_int_equal(spread.worth, 1 << 24);
+    }
+}
+
 static void no_kind_but_affine_and_quadratic_errs(void **state)
 {
     const struct texture_spread worst = {1 << 23, 1 << 24, 32767};
@@ -201,6 +216,7 @@ int main(void)
         cmocka_unit_test(a_rectangle_at_depth_ratio_4_errs_as_theory_says),
         cmocka_unit_test(no_triangle_errs_by_more_than_its_bound),
         cmocka_unit_test(bounds_grow_with_what_they_depend_on),
+        cmocka_unit_test(what_texels_are_worth_is_saturated),
         cmocka_unit_test(no_kind_but_affine_and_quadratic_errs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
