@@ -217,6 +217,66 @@ static void a_picture_of_the_plan_counts_as_the_plan(void **state)
     }
 }
 
+/* The colours of methods, and the brightnesses, of 256, by which triangles of one differ. */
+static const uint8_t legend[GLINT_METHODS][3] = {
+    [GLINT_DARK] = {45, 45, 60},
+    [GLINT_CONSTANT] = {60, 110, 220},
+    [GLINT_GOURAUD] = {60, 170, 75},
+    [GLINT_LINEAR] = {200, 215, 70},
+    [GLINT_SIX] = {245, 150, 40},
+    [GLINT_DUFF] = {215, 50, 50},
+    [GLINT_PHONG] = {190, 60, 200},
+    [GLINT_BUMP_LINEAR] = {120, 215, 225},
+    [GLINT_BUMP_QUADRATIC] = {50, 155, 190},
+    [GLINT_BUMP_NORMALISED] = {30, 95, 150},
+};
+static const int brightnesses[] = {256, 244, 232, 220, 208, 196, 184, 172};
+
+static int is_lit_so(const uint8_t *pixel, const uint8_t *colour, unsigned channels, int by)
+{
+    for (unsigned c = 0; c < channels; c++)
+        if (pixel[c] != (colour[c] * by + 128) / 256)
+            return 0;
+    return 1;
+}
+
+/* Whether a pixel is in the colour of some method that drew something. */
+static int is_in_the_legend(const uint8_t *pixel, unsigned channels, const struct glint_stats *stats)
+{
+    for (int id = 0; id < GLINT_METHODS; id++) {
+        const uint8_t *rgb = legend[id];
+        const uint8_t grey = (uint8_t)((77 * rgb[0] + 150 * rgb[1] + 29 * rgb[2]) / 256);
+        for (int i = 0; i < 8 && stats->drawn[id]; i++)
+            if (is_lit_so(pixel, channels == 1 ? &grey : rgb, channels, brightnesses[i]))
+                return 1;
+    }
+    return 0;
+}
+
+static void a_picture_of_the_plan_is_in_the_colours_of_its_legend(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < 2 * SCENES; i++) {
+        const unsigned channels = i < SCENES ? 3 : 1;
+        struct frame_case f = by_auto(channels == 3 ? GLINT_RGB888 : GLINT_GREY8, 2);
+        struct glint_stats stats;
+        long shown = 0;
+        f.config.method = &glint_auto_shown;
+        uint8_t *picture = frame_case_picture(f, scenes[i % SCENES].scene, 0, &stats);
+        for (long at = 0; at < 120 * 120; at++) {
+            const uint8_t *pixel = picture + at * channels;
+            if (memcmp(pixel, picture, channels) == 0) /* the background, as in the first corner */
+                continue;
+            if (!is_in_the_legend(pixel, channels, &stats))
+                fail_msg("%s: %u channels, pixel %ld is %d %d %d", names[i % SCENES], channels, at, pixel[0],
+                         channels == 3 ? pixel[1] : 0, channels == 3 ? pixel[2] : 0);
+            shown++;
+        }
+        assert_true(shown > 1000);
+        free(picture);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -229,6 +289,7 @@ int main(void)
         cmocka_unit_test(a_light_that_reaches_nothing_is_computed_nowhere),
         cmocka_unit_test(a_worker_counts_what_is_left_out),
         cmocka_unit_test(a_picture_of_the_plan_counts_as_the_plan),
+        cmocka_unit_test(a_picture_of_the_plan_is_in_the_colours_of_its_legend),
     };
     return cmocka_run_group_tests(tests, load, unload);
 }

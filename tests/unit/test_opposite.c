@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* What opposite directions leave between them is nothing: pixels of ambient
  * light, or of any other, never of noise. */
-#include "raster/raster.h"
+#include "random.h"
+#include "raster/normals.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -197,6 +198,65 @@ static void a_light_beyond_all_places_shines_as_a_direction(void **state)
     free(picture[1]);
 }
 
+/* A raster of one channel under one far light along an axis, and nothing else. */
+static struct raster raster;
+static struct object_state object;
+
+static void lit_along(int axis, int sign)
+{
+    memset(&raster, 0, sizeof raster);
+    memset(&object, 0, sizeof object);
+    object.light[0].source.at[axis] = sign * (1 << 28);
+    object.light[0].source.shift = 14;
+    raster.input.object = &object;
+    raster.gloss = raster.sum[0];
+    raster.surface.channels = raster.surface.lights = 1;
+    raster.surface.base[0] = AMBIENT << 15;
+    raster.surface.light[0].diffuse[0] = 128 << 8;
+}
+
+/* Whatever lay there before: each component alone, a unit below the shortest and one above. */
+static void a_normal_below_the_shortest_is_none(void **state)
+{
+    (void)state;
+    for (int axis = 0; axis < 3; axis++)
+        for (int sign = -1; sign <= 1; sign += 2)
+            for (int size = 4095; size <= 4097; size += 2) {
+                lit_along(axis, sign);
+                raster.value[axis][0] = sign * size;
+                raster.divisor[0].half = 1 << 30;
+                normals_shade(&raster, 0, 0, 1);
+                const double steps = raster.sum[0][0] / 32768.;
+                assert_true(fabs(steps - (size < 4096 ? AMBIENT : AMBIENT + 128)) < .02);
+            }
+}
+
+/* Of what is left between all but opposite normals, 2^-6 and less of their length, the direction is as good as ever. */
+static void a_short_normal_is_as_exact_as_a_long_one(void **state)
+{
+    double most = 0;
+    (void)state;
+    random_seed(3);
+    for (int i = 0; i < 20000; i++) {
+        const double length = random_real(0x1p-10, 0x1p-6 - 0x1p-12);
+        const int axis = i % 3;
+        double v[3], squared = 0;
+        lit_along(axis, 1);
+        random_direction(v, 3);
+        for (int k = 0; k < 3; k++) {
+            const int32_t q30 = (int32_t)lrint(v[k] * length * 0x1p30);
+            raster.setup.channel[k].p.f = (uint32_t)q30;
+            v[k] = q30;
+            squared += v[k] * v[k];
+        }
+        normals_run(&raster, 0, 0, 1);
+        const double wanted = fmax(0, v[axis] / sqrt(squared));
+        most = fmax(most, fabs((raster.sum[0][0] / 32768. - AMBIENT) / 128 - wanted));
+    }
+    print_message("N.L within %.3g of 2^-13\n", most * 8192);
+    assert_true(most < 0x1p-13);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -204,6 +264,8 @@ int main(void)
         cmocka_unit_test(a_light_straight_behind_a_pixel_has_no_highlight),
         cmocka_unit_test(a_vector_of_no_length_has_no_light),
         cmocka_unit_test(a_light_beyond_all_places_shines_as_a_direction),
+        cmocka_unit_test(a_normal_below_the_shortest_is_none),
+        cmocka_unit_test(a_short_normal_is_as_exact_as_a_long_one),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -225,6 +225,47 @@ static void without_a_table_there_is_no_error(void **state)
     assert_int_equal(table_bytes(GLINT_GREY4), 0);
 }
 
+/* Each number of a surface that a table is made of, in turn: the table found next is what an empty one would become. */
+static void a_table_is_made_anew_for_any_channel_that_changes(void **state)
+{
+    static const enum glint_format formats[] = {GLINT_RGB565, GLINT_RGB888};
+    static struct tabled t, fresh;
+    (void)state;
+    random_seed(7);
+    for (int f = 0; f < 2; f++)
+        for (unsigned c = 0; c < 3; c++)
+            for (int which = 0; which < 3; which++) {
+                tabled_make(&t, formats[f], 20);
+                struct surface *s = &t.raster.surface;
+                s->base[c] += which == 0 ? 16 << 15 : 0;
+                s->light[0].diffuse[c] = (uint16_t)(s->light[0].diffuse[c] + (which == 1 ? 16 << 8 : 0));
+                s->light[0].specular[c] = (uint16_t)(s->light[0].specular[c] + (which == 2 ? 16 << 8 : 0));
+                fresh = t;
+                memset(fresh.table, 0, sizeof fresh.table);
+                fresh.raster.table = fresh.table;
+                table_find(&t.raster);
+                table_find(&fresh.raster);
+                assert_memory_equal(t.table, fresh.table, table_bytes(formats[f]));
+            }
+}
+
+/* 1 / |N| of |N|^2: a normal shorter than 2^-9 counts as that long. */
+static void a_length_is_at_least_its_smallest(void **state)
+{
+    static const int32_t squares[] = {-(1 << 20), -1,      0,       1,       1000,    (1 << 12) - 1, 1 << 12,
+                                      5000,       1 << 14, 3 << 20, 1 << 28, 9 << 26, 1 << 30};
+    static struct raster r;
+    (void)state;
+    for (size_t i = 0; i < sizeof squares / sizeof *squares; i++) {
+        memset(&r, 0, sizeof r);
+        r.setup.channel[SHADE_SQUARE].p.f = (uint32_t)squares[i];
+        raster_lengths(&r, 0, 0, RUN);
+        const double wanted = 1 / sqrt(fmax(squares[i] / 0x1p30, 0x1p-18));
+        for (int k = 0; k < RUN; k++)
+            assert_true(fabs(ldexp(r.divisor[k].half, r.divisor[k].up - 30) / wanted - 1) < 0x1p-20);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -233,6 +274,8 @@ int main(void)
         cmocka_unit_test(a_table_of_lengths_divides_within_its_error),
         cmocka_unit_test(a_table_is_within_its_error),
         cmocka_unit_test(without_a_table_there_is_no_error),
+        cmocka_unit_test(a_table_is_made_anew_for_any_channel_that_changes),
+        cmocka_unit_test(a_length_is_at_least_its_smallest),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

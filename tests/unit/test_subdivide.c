@@ -58,6 +58,30 @@ static void count_part(const struct part_corner *a, const struct part_corner *b,
         count_spans(&e);
 }
 
+/* A part has a row where the row's centre lies from its top on and above its bottom, to the last bit of a place. */
+static void a_part_shows_where_a_centre_is_between_its_ends(void **state)
+{
+    enum { ROW = 20, CENTRE = 16 * ROW + 8 - 8 * HEIGHT };
+    static const int16_t corner[3][3] = {{0, CENTRE - 1, 0}, {0, CENTRE, 0}, {0, CENTRE + 1, 0}};
+    (void)state;
+    raster.height = HEIGHT;
+    raster.y0 = ROW;
+    raster.y1 = ROW + 1;
+    for (int k = 0; k < 3; k++)
+        raster.input.place[k] = corner[k];
+    for (int top = -3; top <= 3; top++)
+        for (int bottom = top; bottom <= 3; bottom++) {
+            /* that many 2^-19 of a pixel below the centre: weights of the first and the last corner differ by them */
+            const struct part_corner at[3] = {{{(uint16_t)(10 - top), (uint16_t)(PART_ONE - 20 + top)}, {0}},
+                                              {{(uint16_t)(10 - bottom), (uint16_t)(PART_ONE - 20 + bottom)}, {0}},
+                                              {{(uint16_t)(10 - bottom), (uint16_t)(PART_ONE - 20 + bottom)}, {0}}};
+            for (int first = 0; first < 3; first++) {
+                const struct part_corner *const part[3] = {&at[first], &at[(first + 1) % 3], &at[(first + 2) % 3]};
+                assert_int_equal(parts_shows(&raster, part), top <= 0 && 0 < bottom);
+            }
+        }
+}
+
 static struct part_corner middle(const struct part_corner *a, const struct part_corner *b)
 {
     struct part_corner m = {
@@ -369,6 +393,7 @@ static void triangles_are_counted_under_what_draws_them(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_part_shows_where_a_centre_is_between_its_ends),
         cmocka_unit_test(parts_cover_each_pixel_of_their_triangle_once),
         cmocka_unit_test(every_mode_draws_the_pixels_that_gouraud_draws),
         cmocka_unit_test(bands_of_any_height_give_the_same_bits),
