@@ -7,7 +7,6 @@ prove-run:
 	@status=0; $(if $(filter file,$(origin PROOFS)),tests/tools/prove_bounds.py || status=1;) \
 	tests/tools/prove.py -o $(BUILD)/proof $(PROOFS:%=tests/proof/%.c) || status=1; exit $$status
 
-# ALL=1: slow ones too.
 prove-planted-run:
 	@tests/tools/prove_planted.sh $(BUILD)/proof/planted
 
