@@ -131,7 +131,7 @@ prove: deps-prove ## Frama-C proofs: no overflow, no access out of bounds, nothi
 prove-scene: deps-prove ## The contracts of the scene check, for blobs of any bytes and length (980 goals, 4 minutes)
 	$(Q)$(MAKE) --no-print-directory prove-scene-run
 
-prove-planted: deps-prove ## Whether the proofs fail on faults planted into a copy of the sources (8 minutes)
+prove-planted: deps-prove ## Whether the proofs fail on faults planted into a copy of the sources (14 minutes)
 	$(Q)$(MAKE) --no-print-directory prove-planted-run
 
 fuzz: deps-test ## Make up bytes for the parsers of streams, SECONDS=60 for each; what breaks one is kept in build/fuzz/broken
