@@ -137,7 +137,7 @@ prove-planted: deps-prove ## Whether the proofs fail on faults planted into a co
 fuzz: deps-test ## Make up bytes for the parsers of streams, SECONDS=60 for each; what breaks one is kept in build/fuzz/broken
 	$(Q)$(MAKE) --no-print-directory fuzz-search
 
-fuzz-planted: deps-test ## Whether what was made up before sees faults planted into what reads files (13 minutes on a busy machine)
+fuzz-planted: deps-test ## Whether what was made up before sees faults planted into what reads files (3 minutes)
 	$(Q)$(MAKE) --no-print-directory fuzz-planted-run
 
 bench: deps-test ## Instructions a frame on Cortex-M0+, M3, M4 and the host; writes build/bench/bench.csv
