@@ -12,6 +12,7 @@
 #include <cmocka.h>
 
 #include "frame_case.h"
+#include "scene_case.h"
 
 static const char *const names[] = {"torus288",       "sphere690",  "teapot896-grey", "torus288-persp", "pawn",
                                     "two-sided-bowl", "fog-linear", "texture-quad",   "bump-torus288"};
@@ -277,6 +278,37 @@ static void a_picture_of_the_plan_is_in_the_colours_of_its_legend(void **state)
     }
 }
 
+/* Duff's where the budget has no room for its table of lengths, which 8-bit grey alone divides by: Phong's, off by
+ * nothing. A highlight of exponent 28 and full size leaves of a budget of 1 less than a tenth. */
+static void what_is_left_to_phong_is_off_by_nothing(void **state)
+{
+    (void)state;
+    struct scene_case c;
+    struct scene_vertex vertex[3] = {
+        {.position = {-800, -600, 0}}, {.position = {800, -600, 0}}, {.position = {0, 800, 0}}};
+    struct scene_triangle triangle = {.corner = {0, 1, 2}};
+    scene_case_sub_pixels(&c, 120, 120);
+    for (int k = 0; k < 3; k++)
+        scene_case_normal(vertex[k].normal, vertex[k].position[0] / 2000., vertex[k].position[1] / 2000., 1);
+    scene_case_bend(&triangle, vertex);
+    c.mesh[0] = (struct scene_case_mesh){c.mesh[0].head, vertex, &triangle, 3, 1};
+    c.material[0].ka = 0;
+    c.material[0].kd = c.material[0].ks = 32768;
+    c.material[0].shininess = 28;
+    struct scene_header *blob = scene_case_blob(&c);
+    for (unsigned tables = 0; tables < 2; tables++) {
+        struct frame_case colours = by_auto(GLINT_RGB888, 1), grey = by_auto(GLINT_GREY8, 1);
+        struct glint_stats s;
+        colours.config.tables = grey.config.tables = (uint8_t)tables;
+        free(frame_case_picture(colours, blob, 0, &s));
+        assert_int_equal(s.drawn[GLINT_DUFF], 1);
+        free(frame_case_picture(grey, blob, 0, &s));
+        assert_int_equal(s.drawn[GLINT_PHONG], 1);
+        assert_int_equal(s.largest_error, 0);
+    }
+    free(blob);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -290,6 +322,7 @@ int main(void)
         cmocka_unit_test(a_worker_counts_what_is_left_out),
         cmocka_unit_test(a_picture_of_the_plan_counts_as_the_plan),
         cmocka_unit_test(a_picture_of_the_plan_is_in_the_colours_of_its_legend),
+        cmocka_unit_test(what_is_left_to_phong_is_off_by_nothing),
     };
     return cmocka_run_group_tests(tests, load, unload);
 }

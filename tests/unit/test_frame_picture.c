@@ -355,6 +355,30 @@ static void a_colour_table_follows_its_scene(void **state)
     pack_free(&scene[1]);
 }
 
+/* Until a material is another, its table stays as it is: what is written into it shows in the next picture. */
+static void a_table_is_made_once(void **state)
+{
+    static const uint8_t formats[] = {GLINT_RGB565, GLINT_RGB888, GLINT_GREY8};
+    (void)state;
+    for (size_t i = 0; i < sizeof formats; i++) {
+        struct frame_case f = frame_case_small(40, 30, (enum glint_format)formats[i]);
+        f.config.tables = 1;
+        frame_case_open_for(&f, sphere.scene);
+        frame_case_draw(&f, sphere.scene, 0);
+        uint8_t *first = malloc(f.picture_bytes);
+        assert_non_null(first);
+        memcpy(first, f.picture, f.picture_bytes);
+        frame_case_draw(&f, sphere.scene, 0);
+        assert_memory_equal(f.picture, first, f.picture_bytes);
+        struct table *table = f.frame.raster->table;
+        memset(table->entry, 0, table_bytes(formats[i]) - sizeof *table);
+        frame_case_draw(&f, sphere.scene, 0);
+        assert_memory_not_equal(f.picture, first, f.picture_bytes);
+        free(first);
+        frame_case_close(&f);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -367,6 +391,7 @@ int main(void)
         cmocka_unit_test(pixels_are_counted_once_each),
         cmocka_unit_test(more_than_255_bands_are_still_in_turn),
         cmocka_unit_test(a_colour_table_follows_its_scene),
+        cmocka_unit_test(a_table_is_made_once),
     };
     return cmocka_run_group_tests(tests, load, unload);
 }
