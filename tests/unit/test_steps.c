@@ -126,9 +126,8 @@ static void a_linear_highlight_is_wide_with_its_roundings(void **state)
     struct planned_case c;
     int wide = 0;
     (void)state;
+    open_planned(&c, 20);
     for (int16_t low = -16384; low < 0; low++) {
-        if (low == -16384)
-            open_planned(&c, 20);
         c.in.plan = (struct shade_plan){.rung = PLAN_LINEAR};
         c.in.plan.specular = 1;
         c.lights[0][1] = low;
