@@ -354,6 +354,26 @@ static void extremes_are_drawn(void **state)
             }
 }
 
+/* Without perspective the part is linear, so that a triangle that leaves the fog at either end is off by no more than
+ * it reaches beyond: a hundredth of what there is between. */
+static void what_reaches_a_little_beyond_is_off_by_that(void **state)
+{
+    static const double distances[2][3] = {{46, 58.5, 71.5}, {20.5, 33.5, 46}};
+    (void)state;
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < 3; k++) {
+            struct view_case v;
+            struct fog_plan plan;
+            int32_t depth[3];
+            open_view(&v, 0, FOG_LINEAR, 1, 101, 21, 71);
+            for (int j = 0; j < 3; j++)
+                depth[j] = DEPTH_FAR + (int32_t)closeness_at(&v, distances[i][(j + k) % 3]);
+            fog_choose(&v.fog, depth, 700, 0, &plan);
+            assert_int_equal(plan.kind, FOGGED_LINEARLY);
+            assert_in_range(plan.error, v.fog.error + 653, v.fog.error + 658); /* 655.36; a depth is 2 */
+        }
+}
+
 /* u of 0 to 3 * 2^-16: too little for a bow, which is then all that u changes
  * by. */
 static void the_least_fog_there_is_is_planned_within_its_error(void **state)
@@ -400,6 +420,7 @@ int main(void)
         cmocka_unit_test(fog_behind_the_far_plane_is_none),
         cmocka_unit_test(a_corner_where_the_fog_begins_has_none),
         cmocka_unit_test(extremes_are_drawn),
+        cmocka_unit_test(what_reaches_a_little_beyond_is_off_by_that),
         cmocka_unit_test(the_least_fog_there_is_is_planned_within_its_error),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

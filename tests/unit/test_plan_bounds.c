@@ -6,6 +6,7 @@
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
+#include <stdlib.h>
 
 #include <cmocka.h>
 
@@ -109,6 +110,87 @@ static void perspective_moves_all_where_a_corner_is_next_to_infinity(void **stat
     }
 }
 
+/* The table's chords are of one curve: where one ends the next begins. */
+static void chords_meet_where_they_join(void **state)
+{
+    static const int32_t joint[] = {1, 2, 4};
+    (void)state;
+    for (int b = 0; b < CURVE_BANDS; b++)
+        for (int i = 0; i < 3; i++) {
+            const struct curve_line *line = curve_bands[b].line + i;
+            assert_true(abs(line[0].alpha + line[0].beta * joint[i] - line[1].alpha - line[1].beta * joint[i]) <= 4);
+        }
+}
+
+/* A dot product of unit vectors, whatever a corner's may be off by. */
+static void no_true_value_is_above_1(void **state)
+{
+    (void)state;
+    for (unsigned most = 0; most <= CURVE_MOST_BEND; most += most < 64 ? 1 : 499) {
+        const uint16_t bend[3] = {(uint16_t)most, (uint16_t)(most / 2), 0};
+        struct curve curve;
+        curve_setup(&curve, bend);
+        for (int32_t high = 16000; high <= 16384; high++) {
+            struct curve_values v = curve_values(high, high, -high);
+            curve_bound(&curve, &v);
+            assert_in_range(v.top, high, 16384);
+        }
+    }
+}
+
+/* A quarter of what the ratio of closenesses is above 1, each rounded either way; at most all. */
+static void perspective_moves_by_the_ratio_of_depths(void **state)
+{
+    int16_t record[3][VERTEX_LIGHTS] = {{0}};
+    (void)state;
+    random_seed(9);
+    for (int i = 0; i < 100000; i++) {
+        const int32_t near = random_between(256, 65000 - DEPTH_FAR),
+                      far = random_between(near / 8 > 256 ? near / 8 : 256, near);
+        for (int k = 0; k < 3; k++)
+            record[k][VERTEX_DEPTH] = (int16_t)(uint16_t)(DEPTH_FAR + (k == i % 3 ? near : far));
+        const double shift = plan_shift((const int16_t *const[3]){record[0], record[1], record[2]});
+        assert_true(shift >= fmin(65536, (near - far) * 16384. / far));
+        assert_true(shift <= fmin(65536, (near - far + 1) * 16384. / (far - 1) + 1));
+    }
+}
+
+/* Of the first light, where dot products are computed at all: what is hidden of it is, too; of others it is not. */
+static void what_is_kept_is_the_first_lights(void **state)
+{
+    static const uint8_t rungs[] = {PLAN_DARK, PLAN_LINEAR, PLAN_SIX, PLAN_DUFF};
+    (void)state;
+    for (size_t i = 0; i < sizeof rungs; i++) {
+        struct shade_plan plan = {.rung = rungs[i]};
+        plan.hidden_lights = plan.hidden_highlights = 3;
+        plan_keep(&plan);
+        assert_int_equal(plan.rung, rungs[i] == PLAN_DARK ? PLAN_LINEAR : rungs[i]);
+        assert_int_equal(plan.diffuse, 1);
+        assert_int_equal(plan.specular, 1);
+    }
+}
+
+/* A ninth of 8 times the gap in the middle and 4 times that at the third quarter, or what lies beyond both: 3 is added
+ * to each gap, and the ninth rounded up by less than 3. */
+static void a_highlights_gap_is_the_larger_of_its_two_bounds(void **state)
+{
+    (void)state;
+    for (unsigned n = 2; n < 10; n++) {
+        struct fx_power power;
+        fx_power_build(&power, n);
+        const struct plan_surface surface = {.power = &power};
+        for (int32_t high = 4096; high <= 16384; high += 128) {
+            const struct curve_values v = {.high = high};
+            const double last = parts_shine(&surface, 65280, high),
+                         half = last / 2 - parts_shine(&surface, 65280, high / 2),
+                         quarter = last * 3 / 4 - parts_shine(&surface, 65280, high * 3 / 4),
+                         wanted = fmax((8 * half + 4 * quarter) / 9, 2 * quarter - half),
+                         bound = parts_shine_gap(&surface, 65280, &v);
+            assert_true(bound >= wanted && bound < wanted + 3 * 12 / 9. + 3);
+        }
+    }
+}
+
 /* A triangle without bends, whose corners have these N.L (Q14) of each of some lights that have no highlights. */
 static void open_matt(struct plan_case *c, unsigned lights, uint16_t diffuse, const int16_t dot[3])
 {
@@ -174,6 +256,11 @@ int main(void)
         cmocka_unit_test(a_power_begins_at_its_foot),
         cmocka_unit_test(a_chord_to_the_dark_side_is_not_further_above_a_highlight),
         cmocka_unit_test(perspective_moves_all_where_a_corner_is_next_to_infinity),
+        cmocka_unit_test(chords_meet_where_they_join),
+        cmocka_unit_test(no_true_value_is_above_1),
+        cmocka_unit_test(perspective_moves_by_the_ratio_of_depths),
+        cmocka_unit_test(what_is_kept_is_the_first_lights),
+        cmocka_unit_test(a_highlights_gap_is_the_larger_of_its_two_bounds),
         cmocka_unit_test(finished_colours_may_be_clamped_by_the_budget_alone),
         cmocka_unit_test(what_just_fits_is_finished_before_its_texel),
     };

@@ -128,12 +128,28 @@ static void folding_goes_down_as_far_as_it_must(void **state)
         }
 }
 
+/* Values are a buffer's: what stands behind them is not theirs. */
+static void only_the_values_asked_for_are_written(void **state)
+{
+    (void)state;
+    for (size_t f = 0; f <= COUNT(free_forms); f++)
+        for (int count = 0; count < 3; count++) {
+            int32_t value[4] = {1 << 29, 1 << 29, 1 << 29, 1 << 29};
+            (f ? free_forms[f - 1].power : &glint_power_exact)->run(2, value, count);
+            for (int i = 0; i < 4; i++)
+                assert_int_equal(value[i] == 1 << 29, i >= count);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_exact_form_is_the_power_rounded),   cmocka_unit_test(the_free_forms_are_their_formula),
-        cmocka_unit_test(the_free_forms_err_by_what_is_written), cmocka_unit_test(folding_changes_nothing),
+        cmocka_unit_test(the_exact_form_is_the_power_rounded),
+        cmocka_unit_test(the_free_forms_are_their_formula),
+        cmocka_unit_test(the_free_forms_err_by_what_is_written),
+        cmocka_unit_test(folding_changes_nothing),
         cmocka_unit_test(folding_goes_down_as_far_as_it_must),
+        cmocka_unit_test(only_the_values_asked_for_are_written),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,6 +2,7 @@
 /* Backs of two-sided faces: a net seen from behind is, to the bit, the net built to face that way. */
 #include "glint.h"
 #include "random.h"
+#include "shade/shade.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -223,6 +224,28 @@ static void both_sides_of_a_vertex_have_their_own_colour(void **state)
     }
 }
 
+/* Memory holds anything before. */
+static void a_back_is_of_its_faces_material(void **state)
+{
+    static const struct scene_vertex vertex[3];
+    static const struct surface surface;
+    static const struct scene_mesh mesh;
+    static struct object_state object;
+    static int16_t lights[3][SHADE_VERTEX_WORDS];
+    const struct scene_triangle face = {.corner = {0, 1, 2}, .material = 7};
+    struct shade_input in = {.triangle = &face,
+                             .vertices = vertex,
+                             .lights = {lights[0], lights[1], lights[2]},
+                             .object = &object,
+                             .surface = &surface};
+    struct shade_turned turned;
+    (void)state;
+    object.mesh = &mesh;
+    memset(&turned, 0xff, sizeof turned);
+    shade_turn(&turned, &in, COLOUR_WORDS);
+    assert_int_equal(in.triangle->material, 7);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -230,6 +253,7 @@ int main(void)
         cmocka_unit_test(so_are_the_pieces_of_one_that_is_cut),
         cmocka_unit_test(one_sided_backs_are_culled),
         cmocka_unit_test(both_sides_of_a_vertex_have_their_own_colour),
+        cmocka_unit_test(a_back_is_of_its_faces_material),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
