@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The highlight test against double precision: conditions at a point, triangles missed, and where the centre is found.
- */
-#include "plan/summit.h"
-#include "random.h"
+/* The highlight test against double precision: conditions at a point, triangles missed. */
+#include "highlight_case.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -11,163 +9,6 @@
 
 #include <cmocka.h>
 #include <stdio.h>
-#include <string.h>
-
-static struct object_state object;
-static struct highlighted_point corner[3];
-
-/* What the test is given, exactly: a direction in Q14 or a place. */
-static void far_at(struct object_point *point)
-{
-    double v[3];
-    random_direction(v, 3);
-    for (int i = 0; i < 3; i++)
-        point->at[i] = (int32_t)lrint(v[i] * 16384);
-    point->near = 0;
-}
-
-static void near_at(struct object_point *point, double distance)
-{
-    double v[3];
-    random_direction(v, 3);
-    for (int i = 0; i < 3; i++)
-        point->at[i] = (int32_t)lrint(v[i] * distance);
-    point->near = 1;
-}
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double out[3])
-{
-    for (int i = 0; i < 3; i++)
-        out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-}
-
-static void unit(double v[3])
-{
-    double length = sqrt(dot(v, v));
-    for (int i = 0; i < 3; i++)
-        v[i] /= length;
-}
-
-static void way(const struct object_point *to, const double place[3], double out[3])
-{
-    for (int i = 0; i < 3; i++)
-        out[i] = to->near ? to->at[i] - place[i] : to->at[i];
-}
-
-/* Place, normal, ways to light and viewer at weights of the corners. */
-struct real_point {
-    double place[3], normal[3], light[3], eye[3];
-};
-
-static struct real_point at_weights(const double weight[3])
-{
-    struct real_point p;
-    for (int i = 0; i < 3; i++) {
-        p.place[i] = p.normal[i] = 0;
-        for (int k = 0; k < 3; k++) {
-            p.place[i] += weight[k] * corner[k].place[i];
-            p.normal[i] += weight[k] * corner[k].normal[i];
-        }
-    }
-    way(&object.light[0].source, p.place, p.light);
-    way(&object.eye, p.place, p.eye);
-    return p;
-}
-
-/* The cosine of normal and half-way vector. */
-static double cosine(const double weight[3])
-{
-    struct real_point p = at_weights(weight);
-    double half[3];
-    unit(p.normal);
-    unit(p.light);
-    unit(p.eye);
-    for (int i = 0; i < 3; i++)
-        half[i] = p.light[i] + p.eye[i];
-    unit(half);
-    return dot(p.normal, half);
-}
-
-/* A triangle as a mesh has them, the corners' normals within `spread` of one direction. */
-static void random_corners(double spread, int size)
-{
-    double axis[3];
-    int32_t middle[3];
-    random_direction(axis, 3);
-    for (int i = 0; i < 3; i++)
-        middle[i] = random_between(size - 32768, 32767 - size);
-    for (int k = 0; k < 3; k++) {
-        double off[3], n[3];
-        random_direction(off, 3);
-        for (int i = 0; i < 3; i++) {
-            n[i] = axis[i] + spread * off[i];
-            corner[k].place[i] = middle[i] + random_between(-size, size);
-        }
-        unit(n);
-        for (int i = 0; i < 3; i++)
-            corner[k].normal[i] = (int32_t)lrint(n[i] * 16384);
-    }
-}
-
-static int passes(void)
-{
-    struct highlighted_signs s[3];
-    for (int k = 0; k < 3; k++)
-        s[k] = highlighted_signs(&object, 1, &corner[k]);
-    return highlighted_lights(&s[0], &s[1], &s[2]) == 1;
-}
-
-/* Where the normal is along the half-way vector of far light and viewer: weights, all >= 0 inside; 0 if nowhere. */
-static int solve_far(double weight[3])
-{
-    const double centre[3] = {1 / 3., 1 / 3., 1 / 3.};
-    struct real_point p = at_weights(centre);
-    double half[3], n[3][3], side[3], sum = 0;
-    unit(p.light);
-    unit(p.eye);
-    for (int i = 0; i < 3; i++)
-        half[i] = p.light[i] + p.eye[i];
-    for (int k = 0; k < 3; k++)
-        for (int i = 0; i < 3; i++)
-            n[k][i] = corner[k].normal[i];
-    cross(n[1], n[2], side);
-    double det = dot(n[0], side);
-    if (det == 0)
-        return 0;
-    for (int k = 0; k < 3; k++) {
-        cross(n[(k + 1) % 3], n[(k + 2) % 3], side);
-        weight[k] = dot(half, side) / det;
-        sum += weight[k];
-    }
-    for (int k = 0; k < 3; k++)
-        weight[k] /= sum;
-    return sum > 0;
-}
-
-static int inside(const double weight[3])
-{
-    return weight[0] >= 0 && weight[1] >= 0 && weight[2] >= 0;
-}
-
-/* A viewer that sees the highlight somewhere about the triangle: the light's mirror image in a normal near it. */
-static void aim_far_viewer(void)
-{
-    const double weight[3] = {random_real(-.5, 1), random_real(-.5, 1), random_real(-.5, 1)};
-    struct real_point p = at_weights(weight);
-    double v[3];
-    unit(p.normal);
-    unit(p.light);
-    for (int i = 0; i < 3; i++)
-        v[i] = 2 * dot(p.normal, p.light) * p.normal[i] - p.light[i];
-    for (int i = 0; i < 3; i++)
-        object.eye.at[i] = (int32_t)lrint(v[i] * 16384);
-    object.eye.near = 0;
-}
 
 static void no_highlight_of_a_directional_light_is_missed(void **state)
 {
@@ -195,53 +36,6 @@ static void no_highlight_of_a_directional_light_is_missed(void **state)
     assert_int_equal(missed, 0);
     assert_true(highlights > 150000);
     assert_true(passed < 3 * highlights && unaimed < tries / 4 / 5); /* a test that passes all would miss none */
-}
-
-/* The brightest point inside, by trial: 1 if it is a highlight's centre, with normal and half-way vector as one. */
-static int find_brightest(double best[3])
-{
-    double most = -2;
-    for (int i = 1; i < 10; i++)
-        for (int j = 1; i + j < 10; j++) {
-            const double weight[3] = {i / 10., j / 10., 1 - i / 10. - j / 10.};
-            double c = cosine(weight);
-            if (c > most) {
-                most = c;
-                memcpy(best, weight, sizeof weight);
-            }
-        }
-    for (double step = .05; step > 1e-5;) {
-        static const int ways[6][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, -1}, {-1, 1}};
-        int better = 0;
-        for (int w = 0; w < 6; w++) {
-            double weight[3] = {best[0] + step * ways[w][0], best[1] + step * ways[w][1], 0};
-            weight[2] = 1 - weight[0] - weight[1];
-            double c = inside(weight) ? cosine(weight) : -2;
-            if (c > most) {
-                most = c;
-                memcpy(best, weight, sizeof weight);
-                better = 1;
-            }
-        }
-        step = better ? step : step / 2;
-    }
-    struct real_point p = at_weights(best);
-    return most > 1 - 1e-9 && dot(p.light, p.normal) > 0;
-}
-
-/* A viewer, far or near, that sees the light's mirror image about the middle. */
-static void aim_viewer(double distance)
-{
-    const double weight[3] = {random_real(0, .6), random_real(0, .6), random_real(0, .6)};
-    struct real_point p = at_weights(weight);
-    double v[3];
-    unit(p.normal);
-    unit(p.light);
-    object.eye.near = distance > 0;
-    for (int i = 0; i < 3; i++) {
-        v[i] = 2 * dot(p.normal, p.light) * p.normal[i] - p.light[i];
-        object.eye.at[i] = (int32_t)lrint(distance > 0 ? p.place[i] + v[i] * distance : v[i] * 16384);
-    }
 }
 
 /* Cases of a light or viewer so near that directions turn across the triangle. Misses: the conditions are then not
@@ -401,109 +195,6 @@ static void every_light_has_its_own_bit(void **state)
     }
 }
 
-static int find_peak(double weight[3], int *opposite)
-{
-    uint16_t q10[3] = {0, 0, 0};
-    int found = (int)summit_find(&object, 0, corner, q10, opposite);
-    if (found != SUMMIT_NONE)
-        assert_int_equal(q10[0] + q10[1] + q10[2], SUMMIT_ONE);
-    for (int k = 0; k < 3; k++)
-        weight[k] = q10[k] / (double)SUMMIT_ONE;
-    return found;
-}
-
-static void the_peak_of_a_directional_light_is_its_centre(void **state)
-{
-    (void)state;
-    long found = 0, edges = 0;
-    double worst = 0;
-    random_seed(100);
-    object.local = 0;
-    for (int i = 0; i < 40000; i++) {
-        double weight[3], peak[3];
-        int opposite = -1;
-        random_corners(random_real(.1, .6), 4096);
-        far_at(&object.light[0].source);
-        aim_far_viewer();
-        for (int j = 0; j < 3; j++)
-            object.light[0].towards[j] = (q14_t)object.light[0].source.at[j];
-        int in = solve_far(weight) && weight[0] > .01 && weight[1] > .01 && weight[2] > .01;
-        int place = find_peak(peak, &opposite);
-        if (place == SUMMIT_EDGE) {
-            assert_in_range(opposite, 0, 2);
-            assert_true(peak[opposite] == 0);
-            edges++;
-        }
-        if (!in)
-            continue;
-        found++;
-        /* Where the conditions are nearly parallel, a SUMMIT_ONE-th of Q may put both ends on one side of H2: an edge
-         * is then taken, at a place as bright. */
-        worst = fmax(worst, 1 - cosine(peak));
-    }
-    print_message("directional: %ld centres, worst 1 - cos %.2g; %ld on edges\n", found, worst, edges);
-    assert_true(found > 4000 && edges > 1000);
-    assert_true(worst < 1e-5);
-}
-
-static void the_peak_of_a_near_light_is_its_centre(void **state)
-{
-    (void)state;
-    long found = 0, off = 0;
-    random_seed(101);
-    object.local = 1;
-    for (int i = 0; i < 12000; i++) {
-        double best[3], peak[3];
-        int opposite;
-        random_corners(random_real(.1, .5), 4000);
-        near_at(&object.light[0].source, 16000);
-        for (int j = 0; j < 3; j++)
-            object.light[0].source.at[j] += corner[0].place[j];
-        aim_viewer(i & 1 ? 0 : 30000);
-        if (!find_brightest(best) || best[0] < .05 || best[1] < .05 || best[2] < .05 || !passes())
-            continue;
-        found++;
-        int place = find_peak(peak, &opposite);
-        off += place != SUMMIT_INSIDE || cosine(peak) < 1 - 1e-4;
-    }
-    print_message("near: %ld centres, %ld not found within .8 degrees\n", found, off);
-    assert_true(found > 900);
-    assert_true(off * 80 <= found);
-}
-
-/* Light and viewer are mirrored at corner 2's normal, but for a little: the straight guess may be the corner itself. */
-static void a_peak_in_a_corner_is_found_there(void **state)
-{
-    const uint16_t whole[3] = {0, 0, SUMMIT_ONE};
-    (void)state;
-    long found = 0;
-    random_seed(102);
-    object.local = 1;
-    object.eye.near = object.light[0].source.near = 1;
-    for (int i = 0; i < 20000; i++) {
-        double n[3], to[3], weight[3];
-        uint16_t at[3];
-        int opposite;
-        random_corners(.4, 4000);
-        random_direction(to, 3);
-        for (int k = 0; k < 3; k++)
-            n[k] = corner[2].normal[k] / 16384.;
-        for (int k = 0; k < 3; k++) {
-            const double across = to[k] - dot(n, to) * n[k];
-            object.eye.at[k] = corner[2].place[k] + (int32_t)lrint(20000 * (n[k] + across));
-            object.light[0].source.at[k] =
-                corner[2].place[k] + (int32_t)lrint(20000 * (n[k] - across)) + random_between(-30, 30);
-        }
-        if (summit_find(&object, 0, corner, at, &opposite) != SUMMIT_INSIDE || memcmp(at, whole, sizeof at) != 0)
-            continue;
-        found++;
-        for (int k = 0; k < 3; k++)
-            weight[k] = at[k] / (double)SUMMIT_ONE;
-        assert_true(cosine(weight) > 1 - 1e-5);
-    }
-    assert_true(found > 500);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -514,9 +205,6 @@ int main(void)
         cmocka_unit_test(light_and_viewer_change_places_and_with_them_the_sign),
         cmocka_unit_test(a_light_at_a_corner_counts_as_both_signs),
         cmocka_unit_test(every_light_has_its_own_bit),
-        cmocka_unit_test(the_peak_of_a_directional_light_is_its_centre),
-        cmocka_unit_test(the_peak_of_a_near_light_is_its_centre),
-        cmocka_unit_test(a_peak_in_a_corner_is_found_there),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
