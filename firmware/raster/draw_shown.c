@@ -33,7 +33,7 @@ static void shade_shown(struct shade_setup *setup, const struct shade_input *in)
         setup->flat[c] = (s->top[c] / 255 * (surface_channels(s) == 1 ? grey : colour)[c] >> 8) * by;
 }
 
-#define SHOWN(method) [method] = {.id = method, .setup = shade_shown, .draw = draw_flat}
+#define SHOWN(method) [(method)] = {.id = (method), .setup = shade_shown, .draw = draw_flat}
 static const struct glint_method shown[GLINT_METHODS] = {
     SHOWN(GLINT_DARK),
     SHOWN(GLINT_CONSTANT),

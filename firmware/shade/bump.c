@@ -216,6 +216,7 @@ static void square_channel(struct shade_setup *setup, const struct shade_input *
 {
     int32_t value[3] = {0, 0, 0};
     for (int k = 0; k < 3; k++)
+        /* NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign): there are bulges where `length` is set */
         bulge[k] = -bulge[k];
     if (shade_weight(in))
         piece_quadratic(shade_weight(in), value, bulge);

@@ -88,6 +88,7 @@ static struct box split(struct box *box)
     return upper;
 }
 
+/* Of a box's pixels, of which there is one at least. */
 static uint32_t mean(const struct box *box)
 {
     uint64_t sum[3] = {0, 0, 0}, pixels = 0;
@@ -98,6 +99,7 @@ static uint32_t mean(const struct box *box)
             sum[axis] += (uint64_t)box->first[i].pixels * (uint64_t)field(box->first[i].rgb, axis);
     }
     for (int axis = 0; axis < 3; axis++)
+        /* NOLINTNEXTLINE(clang-analyzer-core.DivideZero) */
         rgb |= (uint32_t)((sum[axis] + pixels / 2) / pixels) << 8 * axis;
     return rgb;
 }

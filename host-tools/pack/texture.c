@@ -29,6 +29,7 @@ static void resample_line(const double *in, unsigned from, double *out, unsigned
         double sum[3] = {0, 0, 0}, weights = 0;
         for (int k = (int)ceil(middle - width); k <= (int)floor(middle + width); k++) {
             const double weight = 1 - fabs(k - middle) / width;
+            /* NOLINTNEXTLINE(clang-analyzer-core.DivideZero): n is at least 1 */
             const int n = (int)from, at = clamp ? (k < 0 ? 0 : k < n ? k : n - 1) : ((k % n) + n) % n;
             weights += weight;
             for (int c = 0; c < 3; c++)

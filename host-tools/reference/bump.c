@@ -72,7 +72,7 @@ static struct decode_vertex bump_middle(const struct shading *shading, unsigned 
 
 static void bump_setup_edge(struct shading *shading, unsigned light, unsigned e, enum bump_kind kind)
 {
-    double middle[2][3];
+    double middle[2][3] = {{0, 0, 0}, {0, 0, 0}};
     struct decode_vertex frame;
     if (kind == BUMP_FRAMES || kind == BUMP_UPRIGHT) {
         frame = bump_middle(shading, e, kind == BUMP_UPRIGHT);

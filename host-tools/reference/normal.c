@@ -111,7 +111,8 @@ void normal_setup_biquadratic(struct shading *shading)
 {
     normal_setup_linear(shading);
     for (unsigned e = 0; e < 3; e++) {
-        double direction[3], middle[3], part = shading->edges >> e & 1u ? normal_direction(shading, e, direction) : 0;
+        double direction[3] = {0, 0, 0}, middle[3];
+        const double part = shading->edges >> e & 1u ? normal_direction(shading, e, direction) : 0;
         if (part == 0)
             continue;
         normal_along(shading->corner[e].normal, shading->corner[(e + 1) % 3].normal, direction, part, .5, middle);
