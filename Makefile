@@ -83,7 +83,7 @@ test-fuzz: deps-test ## What `make fuzz` found of interest, given to the parsers
 test-faults: deps-test ## Programs whose calls of libraries, kernel and devices fail, one after another, then some pairs
 	$(Q)tests/tools/run.sh faults
 
-test-faults-pairs: deps-test ## The same with FAULTS_PAIRS=600 pairs of each tool's calls, and 20 times as many of a machine's (half an hour; an hour on a busy machine)
+test-faults-pairs: deps-test ## The same with FAULTS_PAIRS=600 pairs of each tool's calls, and 20 times as many of a machine's (16 minutes on a busy machine)
 	$(Q)tests/tools/run.sh faults-pairs
 
 test-cli: deps-test ## The command line tool against good and bad input
