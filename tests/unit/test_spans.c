@@ -262,7 +262,7 @@ static void a_length_is_at_least_its_smallest(void **state)
         raster_lengths(&r, 0, 0, RUN);
         const double wanted = 1 / sqrt(fmax(squares[i] / 0x1p30, 0x1p-18));
         for (int k = 0; k < RUN; k++)
-            assert_true(fabs(ldexp(r.divisor[k].half, r.divisor[k].up - 30) / wanted - 1) < 0x1p-20);
+            assert_true(fabs(ldexp(r.divisor[k].half, (int)r.divisor[k].up - 30) / wanted - 1) < 0x1p-20);
     }
 }
 

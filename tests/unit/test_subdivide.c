@@ -72,9 +72,10 @@ static void a_part_shows_where_a_centre_is_between_its_ends(void **state)
     for (int top = -3; top <= 3; top++)
         for (int bottom = top; bottom <= 3; bottom++) {
             /* that many 2^-19 of a pixel below the centre: weights of the first and the last corner differ by them */
-            const struct part_corner at[3] = {{{(uint16_t)(10 - top), (uint16_t)(PART_ONE - 20 + top)}, {0}},
-                                              {{(uint16_t)(10 - bottom), (uint16_t)(PART_ONE - 20 + bottom)}, {0}},
-                                              {{(uint16_t)(10 - bottom), (uint16_t)(PART_ONE - 20 + bottom)}, {0}}};
+            const struct part_corner at[3] = {
+                {{(uint16_t)(10 - top), (uint16_t)((int)PART_ONE - 20 + top)}, {0}},
+                {{(uint16_t)(10 - bottom), (uint16_t)((int)PART_ONE - 20 + bottom)}, {0}},
+                {{(uint16_t)(10 - bottom), (uint16_t)((int)PART_ONE - 20 + bottom)}, {0}}};
             for (int first = 0; first < 3; first++) {
                 const struct part_corner *const part[3] = {&at[first], &at[(first + 1) % 3], &at[(first + 2) % 3]};
                 assert_int_equal(parts_shows(&raster, part), top <= 0 && 0 < bottom);
